@@ -1,0 +1,27 @@
+"""How the hot loops of :mod:`core` are compiled: once, here, for all of them."""
+
+from collections.abc import Callable
+from typing import Any, TypeVar
+
+import numba
+from numba import prange
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+__all__ = ["kernel", "parallel_kernel", "prange"]
+
+# ``nogil`` lets a window stay responsive beside a plain worker thread, ``cache`` keeps the machine
+# code on disk, and numpy's error model gives inf and nan instead of raising in the middle of a loop.
+_OPTIONS: dict[str, Any] = {"cache": True, "nogil": True, "error_model": "numpy"}
+
+
+def kernel(function: F) -> F:
+    """Compile a serial loop."""
+    compiled: F = numba.njit(**_OPTIONS)(function)
+    return compiled
+
+
+def parallel_kernel(function: F) -> F:
+    """Compile a loop whose ``prange`` runs on all cores."""
+    compiled: F = numba.njit(parallel=True, **_OPTIONS)(function)
+    return compiled

@@ -1,0 +1,6 @@
+"""Triangle meshes: vertices, faces, topology and geometry."""
+
+from core.mesh.topology import Topology
+from core.mesh.triangle_mesh import MeshError, TriangleMesh
+
+__all__ = ["MeshError", "Topology", "TriangleMesh"]
