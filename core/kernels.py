@@ -11,7 +11,7 @@ F = TypeVar("F", bound=Callable[..., Any])
 __all__ = ["kernel", "parallel_kernel", "prange"]
 
 # ``nogil`` lets a window stay responsive beside a plain worker thread, ``cache`` keeps the machine
-# code on disk, and numpy's error model gives inf and nan instead of raising in the middle of a loop.
+# code on disk, and numpy's error model gives inf and nan instead of raising in a loop.
 _OPTIONS: dict[str, Any] = {"cache": True, "nogil": True, "error_model": "numpy"}
 
 

@@ -79,7 +79,7 @@ class Parameter:
 def param(
     default: Any,
     *,
-    help: str,  # noqa: A002 - the word that forms and command lines use
+    help: str,
     low: float | None = None,
     high: float | None = None,
     step: float | None = None,
@@ -108,7 +108,7 @@ def param(
     pydantic field
         To be assigned to an annotated class attribute.
     """
-    extra = {"step": step, "unit": unit, "logarithmic": logarithmic}
+    extra: dict[str, Any] = {"step": step, "unit": unit, "logarithmic": logarithmic}
     return Field(default, ge=low, le=high, description=help, json_schema_extra=extra)
 
 

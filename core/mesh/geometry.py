@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from core.arrays import FloatArray, IntArray
-from core.kernels import parallel_kernel, prange
+from core.kernels import kernel, parallel_kernel, prange
 
 if TYPE_CHECKING:
     from core.mesh.triangle_mesh import TriangleMesh
@@ -38,7 +38,9 @@ def face_vectors(vertices: FloatArray, faces: IntArray) -> FloatArray:
 def normalized(vectors: FloatArray) -> FloatArray:
     """Scale the rows to unit length; rows of length zero stay zero."""
     lengths = np.linalg.norm(vectors, axis=1, keepdims=True)
-    return np.divide(vectors, lengths, out=np.zeros_like(vectors), where=lengths > 0)
+    unit = np.zeros_like(vectors)
+    np.divide(vectors, lengths, out=unit, where=lengths > 0)
+    return unit
 
 
 def face_areas(mesh: "TriangleMesh") -> FloatArray:
@@ -54,7 +56,8 @@ def face_normals(mesh: "TriangleMesh") -> FloatArray:
 
 def face_centroids(mesh: "TriangleMesh") -> FloatArray:
     """Centroid of each face, (n, 3)."""
-    return mesh.vertices[mesh.faces].mean(axis=1)
+    centroids: FloatArray = mesh.vertices[mesh.faces].mean(axis=1)
+    return centroids
 
 
 def edge_lengths(mesh: "TriangleMesh") -> FloatArray:
@@ -75,7 +78,9 @@ def corner_angles(mesh: "TriangleMesh") -> FloatArray:
     to_next = np.roll(corners, -1, axis=1) - corners
     to_last = np.roll(corners, 1, axis=1) - corners
     crosses = np.linalg.norm(np.cross(to_next, to_last), axis=2)
-    return np.arctan2(crosses, np.einsum("tcx,tcx->tc", to_next, to_last))
+    dots = np.einsum("tcx,tcx->tc", to_next, to_last)
+    angles: FloatArray = np.arctan2(crosses, dots)
+    return angles
 
 
 def vertex_normals(mesh: "TriangleMesh", weighting: Weighting = "uniform") -> FloatArray:
@@ -118,6 +123,33 @@ def vertex_normals(mesh: "TriangleMesh", weighting: Weighting = "uniform") -> Fl
         for x in range(3)
     ]
     return normalized(np.stack(sums, axis=1))
+
+
+@kernel
+def shading_normals(vertices: FloatArray, faces: IntArray) -> FloatArray:
+    """Area-weighted sum of the face normals at each vertex, (m, 3), as a renderer wants it.
+
+    The lengths are not scaled; :func:`vertex_normals` is the function for mathematics.
+    """
+    sums = np.zeros_like(vertices)
+    for t in range(len(faces)):
+        i, j, k = faces[t]
+        ax, ay, az = (
+            vertices[j, 0] - vertices[i, 0],
+            vertices[j, 1] - vertices[i, 1],
+            vertices[j, 2] - vertices[i, 2],
+        )
+        bx, by, bz = (
+            vertices[k, 0] - vertices[i, 0],
+            vertices[k, 1] - vertices[i, 1],
+            vertices[k, 2] - vertices[i, 2],
+        )
+        x, y, z = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+        for corner in faces[t]:
+            sums[corner, 0] += x
+            sums[corner, 1] += y
+            sums[corner, 2] += z
+    return sums
 
 
 def bounding_box(vertices: FloatArray) -> tuple[FloatArray, FloatArray]:

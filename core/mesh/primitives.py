@@ -1,6 +1,7 @@
 """Small meshes with known properties, for tests, examples and documentation."""
 
 import numpy as np
+from numpy.typing import NDArray
 
 from core.mesh.triangle_mesh import TriangleMesh
 
@@ -14,7 +15,7 @@ def tetrahedron() -> TriangleMesh:
 def icosahedron() -> TriangleMesh:
     """Regular icosahedron on the unit sphere, wound outwards: genus 0, all degrees 5."""
     golden = (1 + 5**0.5) / 2
-    ring = [(-1, golden), (1, golden), (-1, -golden), (1, -golden)]
+    ring = [(-1.0, golden), (1.0, golden), (-1.0, -golden), (1.0, -golden)]
     vertices = [(x, y, 0.0) for x, y in ring]
     vertices += [(0.0, x, y) for x, y in ring] + [(y, 0.0, x) for x, y in ring]
     faces = [
@@ -47,7 +48,9 @@ def midpoint_subdivision(mesh: TriangleMesh) -> TriangleMesh:
     return TriangleMesh(np.concatenate([mesh.vertices, midpoints]), faces)
 
 
-def torus(around: int = 24, across: int = 12, radius: float = 1.0, tube: float = 0.4) -> TriangleMesh:
+def torus(
+    around: int = 24, across: int = 12, radius: float = 1.0, tube: float = 0.4
+) -> TriangleMesh:
     """Torus about the z axis, wound outwards: genus 1, all degrees 6."""
     u, v = np.meshgrid(np.arange(around), np.arange(across), indexing="ij")
     phi, theta = 2 * np.pi * u.ravel() / around, 2 * np.pi * v.ravel() / across
@@ -56,8 +59,8 @@ def torus(around: int = 24, across: int = 12, radius: float = 1.0, tube: float =
         [distance * np.cos(phi), distance * np.sin(phi), tube * np.sin(theta)], axis=1
     )
 
-    def number(i: np.ndarray, j: np.ndarray) -> np.ndarray:
-        return ((i % around) * across + j % across).ravel()
+    def number(i: NDArray[np.int64], j: NDArray[np.int64]) -> NDArray[np.int64]:
+        return (i % around * across + j % across).ravel()
 
     a, b = number(u, v), number(u + 1, v)
     c, d = number(u + 1, v + 1), number(u, v + 1)

@@ -1,6 +1,6 @@
 """Compiled connectivity: who touches whom, as compressed sparse rows (CSR).
 
-A CSR table is a pair ``(starts, items)``: the entries of row i are ``items[starts[i]:starts[i + 1]]``.
+A CSR table is a pair ``(starts, items)``; row i is ``items[starts[i]:starts[i + 1]]``.
 All rows are in ascending order, so results never depend on the number of threads.
 """
 
@@ -147,9 +147,7 @@ def edge_corners(edges_of_faces: IntArray, edge_count: int) -> tuple[IntArray, I
 
 
 @kernel
-def _merge_rows(
-    faces: IntArray, t: int, starts: IntArray, items: IntArray, out: IntArray
-) -> int:
+def _merge_rows(faces: IntArray, t: int, starts: IntArray, items: IntArray, out: IntArray) -> int:
     """Merge the three sorted face rows at the corners of face t, without t; return the count."""
     a, b, c = starts[faces[t, 0]], starts[faces[t, 1]], starts[faces[t, 2]]
     a_end, b_end, c_end = (
@@ -163,7 +161,7 @@ def _merge_rows(
         head_a = items[a] if a < a_end else limit
         head_b = items[b] if b < b_end else limit
         head_c = items[c] if c < c_end else limit
-        smallest = min(head_a, min(head_b, head_c))
+        smallest = min(head_a, head_b, head_c)
         a += head_a == smallest
         b += head_b == smallest
         c += head_c == smallest
@@ -175,9 +173,7 @@ def _merge_rows(
 
 
 @parallel_kernel
-def face_ring(
-    faces: IntArray, starts: IntArray, items: IntArray
-) -> tuple[IntArray, IntArray]:
+def face_ring(faces: IntArray, starts: IntArray, items: IntArray) -> tuple[IntArray, IntArray]:
     """Faces that share a vertex or an edge with each face, without the face itself (t*)."""
     n = len(faces)
     counts = np.zeros(n, np.int32)
@@ -223,7 +219,10 @@ def orientation(
                 edge = edges_of_faces[t, c]
                 if corner_starts[edge + 1] - corner_starts[edge] != 2:
                     continue
-                first, second = corner_items[corner_starts[edge]], corner_items[corner_starts[edge] + 1]
+                first, second = (
+                    corner_items[corner_starts[edge]],
+                    corner_items[corner_starts[edge] + 1],
+                )
                 corner = second if first // 3 == t else first
                 other = corner // 3
                 # Two consistently wound faces run along their common edge in opposite directions.
@@ -240,10 +239,8 @@ def orientation(
 
 
 @parallel_kernel
-def fan_counts(
-    faces: IntArray, starts: IntArray, items: IntArray
-) -> IntArray:
-    """Number of fans (faces joined by edges at the vertex) around each vertex; a manifold has one."""
+def fan_counts(faces: IntArray, starts: IntArray, items: IntArray) -> IntArray:
+    """Number of fans (faces joined by edges) around each vertex; a manifold has one."""
     m = len(starts) - 1
     fans = np.zeros(m, np.int32)
     for i in prange(m):
@@ -254,7 +251,7 @@ def fan_counts(
 
 @kernel
 def _count_fans(faces: IntArray, row: IntArray, i: int) -> int:
-    """Count the connected pieces of the link of vertex i, with a small union-find over its edges."""
+    """Count the connected pieces of the link of vertex i, by union-find over its edges."""
     d = len(row)
     ends = np.zeros(2 * d, np.int32)
     for a in range(d):

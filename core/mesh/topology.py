@@ -133,7 +133,8 @@ class Topology:
     @cached_property
     def pinched_vertices(self) -> BoolArray:
         """Mask of the vertices whose faces form more than one fan, (m,)."""
-        return rings.fan_counts(self.faces, *self.vertex_faces) > 1
+        fans: IntArray = rings.fan_counts(self.faces, *self.vertex_faces)
+        return fans > 1
 
     @cached_property
     def vertex_components(self) -> IntArray:

@@ -1,0 +1,1 @@
+"""The Burnish program: command line and window over :mod:`core`."""

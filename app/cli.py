@@ -1,0 +1,168 @@
+"""Command line: ``burnish MODEL`` opens the window, the other commands need neither Qt nor display.
+
+Nothing heavy is imported before a command runs, so that ``burnish --help`` answers at once.
+"""
+
+import json
+import os
+import sys
+from pathlib import Path
+from typing import Annotated, Any
+
+from cyclopts import App, CycloptsError, Parameter
+
+app = App(
+    name="burnish",
+    help="Compare mesh denoisers side by side and look at the skeleton of a shape.",
+    version_flags=["--version"],
+)
+
+DEFAULT_MODEL = "sample:creature"
+_HEADLESS_FOLDER = Path("out")
+
+
+class UsageError(ValueError):
+    """Raised when the words of a command do not fit; one sentence says how."""
+
+
+def main(arguments: list[str] | None = None) -> None:
+    """Run a command; bad input ends it with status 2 and one line on standard error."""
+    try:
+        status = app(arguments, exit_on_error=False, print_error=False)
+    except (CycloptsError, ValueError, OSError) as error:
+        print(f"burnish: {_one_line(error)}", file=sys.stderr)  # noqa: T201
+        sys.exit(2)
+    sys.exit(status or 0)
+
+
+@app.default
+def window(model: str = DEFAULT_MODEL, /) -> int:
+    """Open the window on a model; with no display, write the comparison into out/.
+
+    Parameters
+    ----------
+    model
+        Path of a model, or sample:ID for a bundled one.
+    """
+    if _has_display():
+        from app.ui.application import start
+
+        return start(model)
+    _say(f"There is no display; the comparison goes into {_HEADLESS_FOLDER}/ instead.")
+    compare(model, output=_HEADLESS_FOLDER)
+    return 0
+
+
+@app.command
+def compare(
+    model: str,
+    /,
+    *,
+    noisy: str | None = None,
+    sigma: float = 0.02,
+    seed: int = 0,
+    methods: str | None = None,
+    iterations: int | None = None,
+    set_: Annotated[list[str] | None, Parameter(name="--set")] = None,
+    output: Annotated[Path | None, Parameter(name=["-o", "--output"])] = None,
+    json_: Annotated[bool, Parameter(name="--json", negative="")] = False,
+) -> None:
+    """Add noise to a model, run the methods, and report their errors.
+
+    Parameters
+    ----------
+    model
+        Path of the original, or sample:ID for a bundled one.
+    noisy
+        Separate noisy file of the same model; then no noise is added.
+    sigma
+        Standard deviation of the noise in mean edge lengths, 0 to 1.
+    seed
+        Seed of the noise.
+    methods
+        Ids of the methods, separated by commas; the thesis' five if not given.
+    iterations
+        Iterations of every method.
+    set_
+        Parameter of a method as id.parameter=value; may be given several times.
+    output
+        Folder for pictures, plot, table and meshes.
+    json_
+        Print one JSON object instead of the table.
+    """
+    from app.export.reports import comparison_json, comparison_text, write_comparison
+    from core.noise import NoiseParams
+    from core.parameters import build_params
+    from core.study import Study, run
+
+    study = Study(
+        model=model,
+        noisy=noisy,
+        noise=build_params(NoiseParams, {"sigma": sigma, "seed": seed}, "noise"),
+        methods=_choices(methods, iterations, set_ or []),
+    )
+    result = run(study)
+    if output is not None:
+        write_comparison(result, output)
+    _say(json.dumps(comparison_json(result)) if json_ else comparison_text(result))
+
+
+@app.command
+def methods(*, json_: Annotated[bool, Parameter(name="--json", negative="")] = False) -> None:
+    """List every method with its parameters.
+
+    Parameters
+    ----------
+    json_
+        Print one JSON object instead of the list.
+    """
+    from app.export.reports import methods_json, methods_text
+
+    _say(json.dumps(methods_json()) if json_ else methods_text())
+
+
+def _choices(methods: str | None, iterations: int | None, settings: list[str]) -> tuple[Any, ...]:
+    """Build the choices of a study from the words of the command line."""
+    from core.parameters import build_params
+    from core.smoothing import method_spec
+    from core.study import MethodChoice, default_choices
+
+    ids = [choice.method for choice in default_choices() if choice.enabled]
+    if methods is not None:
+        ids = [method_spec(id_.strip()).id for id_ in methods.split(",")]
+    params: dict[str, dict[str, Any]] = {id_: {} for id_ in ids}
+    for setting in settings:
+        id_, name, value = _parse_setting(setting)
+        if id_ not in params:
+            raise UsageError(f"--set {setting}: {id_} does not take part; {', '.join(ids)} do.")
+        params[id_][name] = value
+    counts = {} if iterations is None else {"iterations": iterations}
+    made = [
+        build_params(MethodChoice, {"method": id_, "params": params[id_], **counts}) for id_ in ids
+    ]
+    for choice in made:
+        _ = choice.settings  # a wrong value is told now, not after minutes of work
+    return tuple(made)
+
+
+def _parse_setting(setting: str) -> tuple[str, str, str]:
+    left, equals, value = setting.partition("=")
+    id_, dot, name = left.partition(".")
+    if not (equals and dot and name):
+        raise UsageError(f"--set {setting} is not of the form id.parameter=value.")
+    return id_, name, value
+
+
+def _has_display() -> bool:
+    """Whether a window can open: always on macOS and Windows, else with X or Wayland."""
+    if sys.platform in {"darwin", "win32"}:
+        return True
+    return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+
+
+def _one_line(error: Exception) -> str:
+    return " ".join(str(error).split()) or type(error).__name__
+
+
+def _say(text: str) -> None:
+    print(text)  # noqa: T201

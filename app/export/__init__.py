@@ -1,0 +1,1 @@
+"""What people take away: plots, pictures and tables."""

@@ -1,0 +1,70 @@
+"""Moving cameras: presets, zooming into a rectangle, flying to a point."""
+
+from typing import NamedTuple
+
+import numpy as np
+from vtkmodules.vtkRenderingCore import vtkCamera
+
+from core.arrays import FloatArray
+
+PRESETS: dict[str, tuple[tuple[float, float, float], tuple[float, float, float]]] = {
+    "Oblique": ((-0.55, 0.4, 1.0), (0, 1, 0)),
+    "Front (+Z)": ((0, 0, 1), (0, 1, 0)),
+    "Back (−Z)": ((0, 0, -1), (0, 1, 0)),
+    "Right (+X)": ((1, 0, 0), (0, 1, 0)),
+    "Left (−X)": ((-1, 0, 0), (0, 1, 0)),
+    "Top (+Y)": ((0, 1, 0), (0, 0, -1)),
+    "Bottom (−Y)": ((0, -1, 0), (0, 0, 1)),
+    "Oblique, Z up": ((-0.7, -1.0, 0.5), (0, 0, 1)),
+}
+"""Direction from the model to the camera, and the direction that is up, by name."""
+
+
+class CameraPose(NamedTuple):
+    """Where a camera stands: position, focal point and up, three coordinates each."""
+
+    position: tuple[float, float, float]
+    focal_point: tuple[float, float, float]
+    view_up: tuple[float, float, float]
+
+    @classmethod
+    def of(cls, camera: vtkCamera) -> "CameraPose":
+        """Read a camera's pose."""
+        return cls(camera.GetPosition(), camera.GetFocalPoint(), camera.GetViewUp())
+
+    def apply(self, camera: vtkCamera) -> None:
+        """Put a camera into this pose."""
+        camera.SetPosition(self.position)
+        camera.SetFocalPoint(self.focal_point)
+        camera.SetViewUp(self.view_up)
+
+
+def preset_pose(name: str, radius: float, view_angle: float = 30.0) -> CameraPose:
+    """Pose that shows a ball of `radius` about the origin from a preset direction."""
+    direction, up = PRESETS[name]
+    unit = np.array(direction) / np.linalg.norm(direction)
+    distance = 0.98 * radius / np.sin(np.radians(view_angle / 2))
+    return CameraPose(tuple(unit * distance), (0.0, 0.0, 0.0), up)
+
+
+def pan_and_dolly(camera: vtkCamera, target: FloatArray, factor: float) -> None:
+    """Move the camera sideways to look at `target`, then closer by `factor`."""
+    focal, position = np.array(camera.GetFocalPoint()), np.array(camera.GetPosition())
+    shift = target - focal
+    camera.SetFocalPoint(*target)
+    camera.SetPosition(*(position + shift))
+    camera.Dolly(factor)
+
+
+def point_on_focal_plane(camera: vtkCamera, x: float, y: float, aspect: float) -> FloatArray:
+    """Point of the focal plane seen at (x, y), both −1 to 1 from the lower left corner."""
+    focal, position = np.array(camera.GetFocalPoint()), np.array(camera.GetPosition())
+    up = np.array(camera.GetViewUp())
+    forward = focal - position
+    distance = np.linalg.norm(forward)
+    right = np.cross(forward, up)
+    right /= np.linalg.norm(right)
+    true_up = np.cross(right, forward / distance)
+    half = distance * np.tan(np.radians(camera.GetViewAngle() / 2))
+    result: FloatArray = focal + half * (x * aspect * right + y * true_up)
+    return result

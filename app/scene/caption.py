@@ -1,0 +1,50 @@
+"""The two lines of text above a pane's mesh."""
+
+import pyvista as pv
+
+from app.scene.panes import Look, Pane
+
+_WARNING = {True: "#ff8a7a", False: "#b3261e"}
+_TITLE_SIZE = 15
+_CAPTION_SIZE = 13
+_MARGIN = 8
+
+
+class Caption:
+    """Title and caption in the upper left corner of a renderer."""
+
+    def __init__(self) -> None:
+        self._title = _line(_TITLE_SIZE, bold=True)
+        self._caption = _line(_CAPTION_SIZE, bold=False)
+
+    def add_to(self, renderer: pv.Renderer) -> None:
+        """Put the text into a renderer."""
+        renderer.AddViewProp(self._title)
+        renderer.AddViewProp(self._caption)
+
+    def show(self, pane: Pane, look: Look, height: float) -> None:
+        """Write a pane's text; `height` is the height of its viewport in pixels."""
+        scale = look.text_scale
+        top = height - _MARGIN * scale
+        self._place(self._title, top, int(_TITLE_SIZE * scale), _MARGIN * scale)
+        below = top - (_TITLE_SIZE + 7) * scale
+        self._place(self._caption, below, int(_CAPTION_SIZE * scale), _MARGIN * scale)
+        self._title.input = pane.title
+        self._title.prop.SetColor(pv.Color(pane.colour).float_rgb)
+        self._caption.input = pane.caption
+        colour = _WARNING[look.theme.dark] if pane.warning else look.theme.ink
+        self._caption.prop.SetColor(pv.Color(colour).float_rgb)
+
+    @staticmethod
+    def _place(line: pv.Text, top: float, size: int, left: float) -> None:
+        line.SetPosition(left, top)
+        line.prop.font_size = size
+
+
+def _line(size: int, *, bold: bool) -> pv.Text:
+    prop = pv.TextProperty(font_family="arial", font_size=size, bold=bold)
+    line = pv.Text("", position=(0, 0), prop=prop)
+    line.prop.SetVerticalJustificationToTop()
+    # Pixels, not shares of the viewport, keep the text the same size in every layout.
+    line.GetPositionCoordinate().SetCoordinateSystemToViewport()
+    return line

@@ -1,0 +1,170 @@
+"""The grid of panes: one renderer a pane, linked cameras, one shared colour bar."""
+
+from collections.abc import Sequence
+
+import numpy as np
+import pyvista as pv
+from vtkmodules.vtkCommonDataModel import vtkCellArray
+from vtkmodules.vtkRenderingCore import vtkCamera
+
+from app.scene.camera import CameraPose, preset_pose
+from app.scene.caption import Caption
+from app.scene.colour_bar import ColourBar
+from app.scene.layout import Viewport, tile
+from app.scene.panes import Look, Pane
+from app.scene.surface import SurfaceActor, cell_array, lookup_table
+from core.arrays import IntArray
+
+CAPACITY = 9
+GRID_SHAPE = (2, 5)
+"""Shape a plotter needs: nine panes and the colour bar."""
+
+_BAR_PIXELS = 96.0
+_NOWHERE = Viewport(0.0, 0.0, 0.0, 0.0)
+
+
+class PaneGrid:
+    """Draws panes into a PyVista plotter, on a screen or off it.
+
+    Parameters
+    ----------
+    plotter : pyvista.BasePlotter
+        Made with ``shape=GRID_SHAPE, border=False``.
+    """
+
+    def __init__(self, plotter: pv.BasePlotter) -> None:
+        self.plotter = plotter
+        self.viewports: dict[str, Viewport] = {}
+        self.enlarged: str | None = None
+        self._renderers = list(plotter.renderers)[:CAPACITY]
+        self._bar_renderer = list(plotter.renderers)[CAPACITY]
+        self._surfaces = [SurfaceActor() for _ in self._renderers]
+        self._captions = [Caption() for _ in self._renderers]
+        self._bar = ColourBar()
+        self._bar.add_to(self._bar_renderer)
+        self._cells: tuple[IntArray, vtkCellArray] | None = None
+        self._panes: list[Pane] = []
+        self._look: Look | None = None
+        self._linked = True
+        for renderer, surface, caption in self._slots():
+            renderer.AddActor(surface.actor)
+            caption.add_to(renderer)
+        self._share_camera(self._renderers[0].GetActiveCamera())
+
+    def show(self, panes: Sequence[Pane], look: Look, size: tuple[int, int]) -> None:
+        """Draw the panes in a window of `size` pixels; at most :data:`CAPACITY`."""
+        self._panes, self._look = list(panes[:CAPACITY]), look
+        self._arrange(look, size)
+        table = lookup_table(look.colour_range)
+        self._bar.show(look, table)
+        cells = self._shared_cells(look.faces)
+        for (renderer, surface, caption), pane in zip(self._slots(), self._panes, strict=False):
+            if pane.id in self.viewports:
+                surface.show(pane, look, cells, table)
+                height = self.viewports[pane.id].pixels(*size)[3]
+                caption.show(pane, look, height)
+                self._frame(renderer, look, selected=pane.id == look.selected)
+
+    def set_ground(self, bottom: str, top: str | None) -> None:
+        """Colour the background, with a gradient if `top` is given."""
+        for renderer in (*self._renderers, self._bar_renderer):
+            renderer.set_background(bottom, top=top)
+
+    @property
+    def ids(self) -> list[str]:
+        """Ids of the panes in their order."""
+        return [pane.id for pane in self._panes]
+
+    def pane_at(self, x: float, y: float) -> str | None:
+        """Return the pane at a point, in shares of the window from the lower left corner."""
+        return next((id_ for id_, port in self.viewports.items() if port.holds(x, y)), None)
+
+    def renderer(self, pane: str) -> pv.Renderer:
+        """Return the renderer of a pane."""
+        return self._renderers[self.ids.index(pane)]
+
+    @property
+    def linked(self) -> bool:
+        """Whether all panes share one camera."""
+        return self._linked
+
+    def link(self, linked: bool, leader: str | None = None) -> None:
+        """Share one camera between all panes, or give each its own; no view jumps.
+
+        On linking, all panes take the view of `leader`, the first pane if it is None.
+        """
+        self._linked = linked
+        if linked:
+            first = self.ids.index(leader) if leader in self.ids else 0
+            self._share_camera(self._renderers[first].GetActiveCamera())
+            return
+        for renderer in self._renderers:
+            camera = vtkCamera()
+            camera.DeepCopy(renderer.GetActiveCamera())
+            renderer.SetActiveCamera(camera)
+
+    def poses(self) -> list[CameraPose]:
+        """Return the pose of every camera, pane by pane."""
+        return [CameraPose.of(renderer.GetActiveCamera()) for renderer in self._renderers]
+
+    def set_poses(self, poses: Sequence[CameraPose]) -> None:
+        """Put the cameras into poses; one pose serves all panes."""
+        every = list(poses) * (CAPACITY if len(poses) == 1 else 1)
+        for renderer, pose in zip(self._renderers, every, strict=True):
+            pose.apply(renderer.GetActiveCamera())
+        self.fit_clipping()
+
+    def look_from(self, preset: str) -> None:
+        """Show the whole of the first pane's model from a preset direction."""
+        if self._panes:
+            radius = float(np.linalg.norm(self._panes[0].points, axis=1).max())
+            self.set_poses([preset_pose(preset, radius)])
+
+    def fit_clipping(self) -> None:
+        """Set the clipping ranges from the union of all panes, which a shared camera needs."""
+        shown = self._surfaces[: len(self._panes)]
+        bounds = np.array([surface.actor.GetBounds() for surface in shown]).reshape(
+            -1, 2, 3, order="F"
+        )
+        if not len(bounds):
+            return
+        low, high = bounds[:, 0].min(axis=0), bounds[:, 1].max(axis=0)
+        union = np.stack([low, high], axis=1).ravel()
+        for renderer in self._renderers:
+            renderer.ResetCameraClippingRange(union)
+
+    def _slots(self) -> list[tuple[pv.Renderer, SurfaceActor, Caption]]:
+        return list(zip(self._renderers, self._surfaces, self._captions, strict=True))
+
+    def _share_camera(self, camera: vtkCamera) -> None:
+        for renderer in self._renderers:
+            renderer.SetActiveCamera(camera)
+
+    def _shared_cells(self, faces: IntArray) -> vtkCellArray:
+        if self._cells is None or self._cells[0] is not faces:
+            self._cells = faces, cell_array(faces)
+        return self._cells[1]
+
+    def _arrange(self, look: Look, size: tuple[int, int]) -> None:
+        """Give each shown pane its viewport; the others get none."""
+        width, height = size
+        bar = _BAR_PIXELS * look.text_scale / max(width, 1) if look.colour_title else 0.0
+        right = 1 - min(bar, 0.4)
+        if self.enlarged not in self.ids:
+            self.enlarged = None
+        shown = [self.enlarged] if self.enlarged else self.ids
+        ports = tile(len(shown), width / max(height, 1), right)
+        self.viewports = dict(zip(shown, ports, strict=True))
+        places = [self.viewports.get(id_, _NOWHERE) for id_ in self.ids]
+        places += [_NOWHERE] * (CAPACITY - len(places))
+        bar_place = Viewport(right, 0.0, 1.0, 1.0) if bar else _NOWHERE
+        every = zip((*self._renderers, self._bar_renderer), (*places, bar_place), strict=True)
+        for renderer, place in every:
+            renderer.SetViewport(place)
+            renderer.SetDraw(place != _NOWHERE)
+        self._bar_renderer.InteractiveOff()
+
+    @staticmethod
+    def _frame(renderer: pv.Renderer, look: Look, *, selected: bool) -> None:
+        colour = look.theme.accent if selected else look.theme.faint
+        renderer.add_border(colour, (3 if selected else 1) * look.text_scale)

@@ -1,0 +1,218 @@
+"""The one observable of the program: the current study and what has been computed for it."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from psygnal import Signal
+
+from app.session.history import History
+from app.session.jobs import Job, Jobs, Post
+from app.session.meshes import Meshes, MeshReader
+from app.session.runs import Run, RunKey, RunStore
+from core.smoothing import METHODS, DivergenceError
+from core.study import MethodChoice, Snapshot, Study
+
+_BUDGET = 4 * 1024**3
+
+
+@dataclass(frozen=True)
+class Activity:
+    """What is being computed: a text and the share that is done (None: not known)."""
+
+    text: str
+    share: float | None
+
+
+class Session:
+    """Current study, its meshes and its runs; everything else listens.
+
+    Change the study with :meth:`apply`; read :attr:`study`, :attr:`meshes` and :meth:`run`. All
+    methods belong to one thread, the one that `post` runs functions on.
+
+    Parameters
+    ----------
+    post : callable
+        Runs a function on the owner's thread.
+    budget : int
+        Memory for snapshots in bytes.
+    """
+
+    study_changed = Signal(Study, Study)
+    """The study was replaced: (new, old)."""
+    meshes_changed = Signal()
+    """Other meshes are there."""
+    run_changed = Signal(str)
+    """The run of a method has grown or ended: (method id)."""
+    activity_changed = Signal()
+    """What is being computed has changed."""
+    failed = Signal(str)
+    """Something could not be done: one sentence for the user."""
+    notified = Signal(str)
+    """Something worth a line in the status bar."""
+
+    def __init__(self, post: Post, *, budget: int = _BUDGET) -> None:
+        self.study = Study()
+        self.meshes: Meshes | None = None
+        self.history = History()
+        self.jobs = Jobs(post)
+        self._reader = MeshReader()
+        self._store = RunStore(budget)
+        self._running: dict[RunKey, Job] = {}
+        self._loading: Job | None = None
+
+    def apply(self, study: Study, name: str) -> None:
+        """Replace the study as one undoable step.
+
+        A step that needs other meshes takes place when they are there; if they cannot be had,
+        `failed` says why and everything stays as it was.
+        """
+        if self._needs_meshes(study):
+            self._load(study, name)
+        elif study != self.study:
+            self.history.record(self.study, name)
+            self._replace(study)
+
+    def undo(self) -> None:
+        """Take back the last step."""
+        self._travel(self.history.undo(self.study))
+
+    def redo(self) -> None:
+        """Do the step again that was taken back last."""
+        self._travel(self.history.redo(self.study))
+
+    def cancel(self) -> None:
+        """Stop all work; what is there stays, and sliders beyond it go back to it."""
+        if self._loading:
+            self._loading.cancel()
+        study = self.study
+        for key, choice in self._wanted().items():
+            run = self._store.get(key)
+            if run and run.computed < choice.iterations and not run.diverged:
+                update = {"iterations": run.computed}
+                study = study.with_choice(choice.model_copy(update=update))
+        for job in self._running.values():
+            job.cancel()
+        self.apply(study, "Cancel")
+
+    def close(self) -> None:
+        """Stop all work for good."""
+        self.jobs.close()
+
+    def run(self, method: str) -> Run | None:
+        """Return what is known of a method with its current parameters."""
+        return self._store.get(self._key(self.study.choice(method)))
+
+    def shown_iteration(self, method: str) -> int:
+        """Return the iteration to show: the chosen one, or the last that is there."""
+        run = self.run(method)
+        return min(self.study.choice(method).iterations, run.computed) if run else 0
+
+    @property
+    def activity(self) -> Activity | None:
+        """What is being computed, or None."""
+        if self._loading:
+            return Activity("Loading", None)
+        busy = [choice for key, choice in self._wanted().items() if key in self._running]
+        if not busy:
+            return None
+        done = sum(self.shown_iteration(choice.method) for choice in busy)
+        titles = ", ".join(METHODS[choice.method].title for choice in busy)
+        return Activity(f"Smoothing: {titles}", done / max(sum(c.iterations for c in busy), 1))
+
+    def _needs_meshes(self, study: Study) -> bool:
+        ours, theirs = self.study, study
+        same = (ours.model, ours.noisy, ours.noise) == (theirs.model, theirs.noisy, theirs.noise)
+        return self.meshes is None or not same
+
+    def _travel(self, study: Study) -> None:
+        if self._needs_meshes(study):
+            self._load(study, None)
+        elif study != self.study:
+            self._replace(study)
+
+    def _replace(self, study: Study) -> None:
+        before, self.study = self.study, study
+        self._run_missing()
+        self.study_changed.emit(study, before)
+
+    def _load(self, study: Study, name: str | None) -> None:
+        """Read the meshes of a study; with a name it becomes an undoable step."""
+        if self._loading:
+            self._loading.cancel()
+
+        def read() -> Iterator[Meshes]:
+            yield self._reader.read(study)
+
+        def done() -> None:
+            if self._loading is job:
+                self._loading = None
+                self.activity_changed.emit()
+
+        def loaded(meshes: Meshes) -> None:
+            if not job.cancelled:
+                self._adopt(study, name, meshes)
+
+        self._loading = job = Job(read(), loaded, self._report, done)
+        self.jobs.start(job, urgent=True)
+        self.activity_changed.emit()
+
+    def _adopt(self, study: Study, name: str | None, meshes: Meshes) -> None:
+        if name is not None and self.meshes is not None:
+            self.history.record(self.study, name)
+        opened = self.meshes is None or self.study.model != study.model
+        before, self.study = self.study, study
+        self.meshes = meshes
+        self._run_missing()
+        self.meshes_changed.emit()
+        self.study_changed.emit(study, before)
+        if opened and meshes.report:
+            self.notified.emit(f"{meshes.name}: {'; '.join(meshes.report)}.")
+
+    def _key(self, choice: MethodChoice) -> RunKey:
+        meshes = self.meshes.key if self.meshes else ""
+        return meshes, f"{choice.method} {choice.settings.model_dump_json()}"
+
+    def _wanted(self) -> dict[RunKey, MethodChoice]:
+        return {self._key(choice): choice for choice in self.study.methods if choice.enabled}
+
+    def _run_missing(self) -> None:
+        """Start what the study asks for and is not there; stop what it no longer asks for."""
+        wanted = self._wanted()
+        for key, job in list(self._running.items()):
+            if key not in wanted:
+                job.cancel()
+        for key, choice in wanted.items():
+            self._run(key, choice)
+        self.activity_changed.emit()
+
+    def _run(self, key: RunKey, choice: MethodChoice) -> None:
+        """Start a method unless it is under way, has diverged or is far enough."""
+        if self.meshes is None or key in self._running:
+            return
+        run, source = self._store.begin(key, self.meshes.comparison, choice)
+        if source.ended or run.computed >= choice.iterations:
+            return
+
+        def target() -> int:
+            wanted = self._wanted().get(key)
+            return wanted.iterations if wanted else 0
+
+        def extend(step: Snapshot | DivergenceError) -> None:
+            known = self._store.get(key)
+            if known:
+                self._store.put(key, known.extended(step))
+                self.run_changed.emit(choice.method)
+                self.activity_changed.emit()
+
+        def done() -> None:
+            # A slider may have asked for more, or a cancelled run may be wanted again.
+            self._running.pop(key, None)
+            self._run_missing()
+
+        job = Job(source.advance(target), extend, self._report, done)
+        self._running[key] = job
+        self.jobs.start(job)
+
+    def _report(self, error: Exception) -> None:
+        text = str(error) or type(error).__name__
+        self.failed.emit(text[0].upper() + text[1:])

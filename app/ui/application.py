@@ -1,0 +1,23 @@
+"""Starts Qt and the window."""
+
+import os
+import sys
+
+# pyvistaqt asks qtpy for a binding; say which before either is imported.
+os.environ.setdefault("QT_API", "pyside6")
+
+from PySide6.QtCore import QCoreApplication  # noqa: E402
+from PySide6.QtWidgets import QApplication  # noqa: E402
+
+
+def start(model: str) -> int:
+    """Open the window on a model and run until it is closed; returns the exit status."""
+    QCoreApplication.setOrganizationName("Burnish")
+    QCoreApplication.setApplicationName("Burnish")
+    application = QApplication.instance() or QApplication(sys.argv[:1])
+    from app.ui.main_window import MainWindow
+
+    window = MainWindow()
+    window.show()
+    window.open_model(model)
+    return application.exec()

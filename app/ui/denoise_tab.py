@@ -1,0 +1,144 @@
+"""The Denoise tab: panes in the middle, panels around them."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QByteArray, QSettings, QSize, Qt, QTimer, Signal
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QWidget
+
+from app.scene.colours import Theme
+from app.scene.comparison import ComparisonScene
+from app.scene.panes import Look, Pane
+from app.session import Session
+from app.ui.error_plot import ErrorPlot
+from app.ui.methods_panel import MethodsPanel
+from app.ui.model_panel import ModelPanel
+from app.ui.results_table import ResultsTable
+from app.ui.viewport import Viewport
+from core.smoothing import METHODS
+
+_REDRAW_MS = 30
+_LAYOUT = "denoise_layout"
+
+
+class DenoiseTab(QMainWindow):
+    """Compares denoisers side by side.
+
+    Parameters
+    ----------
+    session : Session
+        The state; the tab only listens and pushes studies.
+    theme : Theme
+        Colours to begin with.
+    """
+
+    noisy_file_requested = Signal()
+    selection_changed = Signal(str)
+
+    def __init__(self, session: Session, theme: Theme) -> None:
+        super().__init__()
+        self.session = session
+        self.selected: str | None = None
+        self._theme = theme
+        self._scene = ComparisonScene(session)
+        self._fresh_model = True
+        self._redraw_timer = QTimer(self, singleShot=True, interval=_REDRAW_MS)
+        self._redraw_timer.timeout.connect(self._redraw)
+        self._make_panels()
+        self._connect()
+        self.set_theme(theme)
+
+    def panes(self) -> tuple[list[Pane], Look]:
+        """Return what the viewport shows."""
+        panes = self._scene.panes()
+        scale = self.devicePixelRatioF()
+        return panes, self._scene.look(panes, self._theme, self.selected, scale)
+
+    def select(self, pane: str | None) -> None:
+        """Mark a pane, and its method in panel, plot and table."""
+        if pane == self.selected:
+            return
+        self.selected = pane
+        method = pane if pane in METHODS else None
+        for view in (self.methods, self.plot, self.table):
+            view.set_selected(method)
+        self._redraw_timer.start()
+        self.selection_changed.emit(pane or "")
+
+    def set_theme(self, theme: Theme) -> None:
+        """Draw panes and plot in a theme's colours."""
+        self._theme = theme
+        self.plot.set_theme(theme)
+        self._redraw_timer.start()
+
+    def save_layout(self) -> None:
+        """Remember where the panels are."""
+        QSettings().setValue(_LAYOUT, self.saveState())
+
+    def save_plot(self, path: Path) -> None:
+        """Save the error plot."""
+        self.plot.save(path)
+
+    def close_graphics(self) -> None:
+        """Release the graphics before the window goes."""
+        self._redraw_timer.stop()
+        self.viewport.close_interactor()
+
+    def _make_panels(self) -> None:
+        self.viewport = Viewport()
+        self.setCentralWidget(self.viewport)
+        self.model = ModelPanel(self.session)
+        self.methods = MethodsPanel(self.session)
+        self.plot = ErrorPlot(self.session)
+        self.table = ResultsTable(self.session)
+        self.setDockNestingEnabled(True)
+        left, right = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
+        bottom = Qt.DockWidgetArea.BottomDockWidgetArea
+        self.setCorner(Qt.Corner.BottomRightCorner, right)
+        docks = [
+            self._dock("Model and noise", self.model, left),
+            self._dock("Methods", self.methods, right),
+            self._dock("Error", self.plot, bottom),
+            self._dock("Table", self.table, bottom),
+        ]
+        self.docks = docks
+        self.resizeDocks(docks[:2], [230, 310], Qt.Orientation.Horizontal)
+        self.resizeDocks(docks[2:], [520, 480], Qt.Orientation.Horizontal)
+        self.resizeDocks(docks[2:], [230, 230], Qt.Orientation.Vertical)
+        state = QSettings().value(_LAYOUT)
+        if isinstance(state, QByteArray):
+            self.restoreState(state)
+
+    def _dock(self, title: str, widget: QWidget, area: Qt.DockWidgetArea) -> QDockWidget:
+        dock = QDockWidget(title, self)
+        dock.setObjectName(title)
+        dock.setWidget(widget)
+        self.addDockWidget(area, dock)
+        return dock
+
+    def _connect(self) -> None:
+        self.session.study_changed.connect(self._on_study_changed)
+        self.session.meshes_changed.connect(self._on_meshes_changed)
+        self.session.run_changed.connect(lambda _: self._redraw_timer.start())
+        for view in (self.viewport, self.methods, self.plot, self.table):
+            view.selected.connect(self.select)
+        self.model.noisy_file_requested.connect(self.noisy_file_requested)
+
+    def _on_meshes_changed(self) -> None:
+        self._redraw_timer.start()
+
+    def _on_study_changed(self, study: object, before: object) -> None:
+        self._fresh_model |= study.model != before.model
+        self._redraw_timer.start()
+
+    def _redraw(self) -> None:
+        panes, look = self.panes()
+        if not panes:
+            return
+        self.viewport.show_panes(panes, look)
+        self.viewport.set_linked(self.session.study.view.linked, self.selected)
+        if self._fresh_model:
+            self._fresh_model = False
+            self.viewport.look_from("Oblique")
+
+    def sizeHint(self) -> QSize:
+        return QSize(1280, 760)

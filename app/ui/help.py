@@ -1,0 +1,69 @@
+"""Help that is made from the declarations: methods, metrics, errata, versions."""
+
+from importlib import metadata
+from importlib.resources import files
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import (
+    QApplication,
+    QDialog,
+    QDialogButtonBox,
+    QMessageBox,
+    QTextBrowser,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.export.reference import reference_page
+
+_PACKAGES = ("burnish", "numpy", "scipy", "numba", "trimesh", "pyvista", "vtk", "pyvistaqt",
+             "PySide6-Essentials")  # fmt: skip
+
+
+def show_methods(parent: QWidget) -> QDialog:
+    """Show the reference page of methods and metrics."""
+    return _show_page(parent, "Methods and metrics", reference_page())
+
+
+def show_errata(parent: QWidget) -> QDialog:
+    """Show where the printed thesis fails."""
+    page = files("resources").joinpath("docs/errata.md").read_text(encoding="utf-8")
+    return _show_page(parent, "Where the printed thesis fails", page)
+
+
+def show_about(parent: QWidget) -> QMessageBox:
+    """Show the versions, with a button that copies them."""
+    versions = "\n".join(f"{package} {_version(package)}" for package in _PACKAGES)
+    box = QMessageBox(parent)
+    box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    box.setWindowTitle("About Burnish")
+    box.setText("Burnish compares mesh denoisers and draws the skeleton of a shape.")
+    box.setInformativeText(versions)
+    copy = box.addButton("Copy versions", QMessageBox.ButtonRole.ActionRole)
+    copy.clicked.connect(lambda: QApplication.clipboard().setText(versions))
+    box.addButton(QMessageBox.StandardButton.Close)
+    box.open()
+    return box
+
+
+def _version(package: str) -> str:
+    try:
+        return metadata.version(package)
+    except metadata.PackageNotFoundError:
+        return "(not installed)"
+
+
+def _show_page(parent: QWidget, title: str, markdown: str) -> QDialog:
+    dialog = QDialog(parent)
+    dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    dialog.setWindowTitle(title)
+    dialog.resize(720, 620)
+    page = QTextBrowser(openExternalLinks=True)
+    page.setMarkdown(markdown)
+    buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+    buttons.rejected.connect(dialog.reject)
+    layout = QVBoxLayout(dialog)
+    layout.addWidget(page)
+    layout.addWidget(buttons)
+    dialog.open()
+    return dialog

@@ -1,0 +1,258 @@
+"""The main window: menus, toolbar, tabs and status bar around one session."""
+
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import QSettings
+from PySide6.QtGui import (
+    QActionGroup,
+    QCloseEvent,
+    QDragEnterEvent,
+    QDropEvent,
+    QGuiApplication,
+    QPalette,
+)
+from PySide6.QtWidgets import QMainWindow, QMenu, QTabWidget, QToolButton
+
+from app.scene.camera import PRESETS
+from app.session import Session
+from app.ui import dialogs, saving
+from app.ui.actions import TOOLBAR, ActionBook
+from app.ui.denoise_tab import DenoiseTab
+from app.ui.help import show_about, show_errata, show_methods
+from app.ui.status import StatusBar
+from app.ui.tasks import Poster
+from app.ui.theme import current_theme, set_mode
+from core.io import SUPPORTED_READ, bundled_samples
+from core.metrics import METRICS
+from core.study import MOST_ITERATIONS, SAMPLE_PREFIX, Study
+
+_MORE = 5
+_GEOMETRY = "window_geometry"
+_MODE = "theme_mode"
+
+
+class MainWindow(QMainWindow):
+    """Burnish's window."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setWindowTitle("Burnish")
+        self.setAcceptDrops(True)
+        self.session = Session(Poster(self))
+        self.denoise = DenoiseTab(self.session, current_theme())
+        self.tabs = QTabWidget(documentMode=True)
+        self.tabs.addTab(self.denoise, "Denoise")
+        self.setCentralWidget(self.tabs)
+        self.actions_ = ActionBook(self, self._handlers())
+        self._fill_menus()
+        self._make_toolbar()
+        self.setStatusBar(StatusBar(self.session, self.actions_["cancel"]))
+        self._connect()
+        self._restore()
+        self._update_actions()
+
+    def open_model(self, model: str) -> None:
+        """Open a model by its path or, as ``sample:ID``, a bundled one."""
+        name = model.removeprefix(SAMPLE_PREFIX)
+        study = self.session.study.model_copy(update={"model": model, "noisy": None})
+        self.session.apply(study, f"Open {Path(name).name}")
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        QSettings().setValue(_GEOMETRY, self.saveGeometry())
+        self.denoise.save_layout()
+        self.session.close()
+        self.denoise.close_graphics()
+        super().closeEvent(event)
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        if any(_is_model(url.toLocalFile()) for url in event.mimeData().urls()):
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        names = [url.toLocalFile() for url in event.mimeData().urls()]
+        self.open_model(next(name for name in names if _is_model(name)))
+        event.acceptProposedAction()
+
+    def changeEvent(self, event: object) -> None:
+        super().changeEvent(event)
+        if event.type() == event.Type.PaletteChange and hasattr(self, "actions_"):
+            self._apply_theme()
+
+    def _handlers(self) -> dict[str, object]:
+        viewport, session = self.denoise.viewport, self.session
+        return {
+            "open": lambda: dialogs.ask_for_file(
+                self, "Open a model", lambda path: self.open_model(str(path))
+            ),
+            "open_noisy": self._ask_for_noisy,
+            "save_mesh": lambda: saving.ask_for_mesh(self),
+            "save_plot": lambda: saving.ask_for_plot(self),
+            "save_table": lambda: saving.ask_for_table(self),
+            "screenshot": lambda: saving.ask_for_screenshot(self),
+            "quit": self.close,
+            "undo": session.undo,
+            "redo": session.redo,
+            "copy_table": self.denoise.table.copy,
+            "smooth_shading": partial(self._set_view, "smooth_shading", "Shading"),
+            "edges": partial(self._set_view, "edges", "Edges"),
+            "link": partial(self._set_view, "linked", "Link cameras"),
+            "enlarge": lambda: viewport.toggle_enlarged(self.denoise.selected or "noisy"),
+            "reset_view": lambda: viewport.look_from("Oblique"),
+            "box_zoom": viewport.start_box_zoom,
+            "fly": viewport.fly_to_cursor,
+            "advance": self._advance,
+            "cancel": session.cancel,
+            "methods": lambda: show_methods(self),
+            "errata": lambda: show_errata(self),
+            "about": lambda: show_about(self),
+        }
+
+    def _connect(self) -> None:
+        session = self.session
+        session.study_changed.connect(lambda *_: self._update_actions())
+        session.meshes_changed.connect(self._update_title)
+        session.activity_changed.connect(self._update_actions)
+        session.failed.connect(lambda message: dialogs.tell(self, message))
+        self.denoise.viewport.box_zoom_ended.connect(
+            lambda: self.actions_["box_zoom"].setChecked(False)
+        )
+        self.denoise.noisy_file_requested.connect(self._ask_for_noisy)
+
+    # -- menus
+
+    def _fill_menus(self) -> None:
+        samples = QMenu("Open &Sample", self)
+        for sample in bundled_samples():
+            action = samples.addAction(sample.title)
+            action.triggered.connect(lambda *_, id_=sample.id: self.open_model(SAMPLE_PREFIX + id_))
+        file_menu = self.actions_.menu("File")
+        file_menu.insertMenu(self.actions_["open_noisy"], samples)
+        self._samples = samples
+        view = self.actions_.menu("View")
+        view.addSeparator()
+        self._colours = self._choices("&Colour by", self._colour_names(), self._set_colour)
+        view.addMenu(self._colours)
+        presets = QMenu("Look &From", self)
+        for number, name in enumerate(PRESETS):
+            action = presets.addAction(name)
+            action.setShortcut(str(number + 1))
+            action.triggered.connect(lambda *_, name=name: self.denoise.viewport.look_from(name))
+        view.addMenu(presets)
+        view.addSeparator()
+        modes = {mode: mode.capitalize() for mode in ("system", "light", "dark")}
+        self._themes = self._choices("&Theme", modes, self._set_mode)
+        view.addMenu(self._themes)
+        panels = view.addMenu("P&anels")
+        for dock in self.denoise.docks:
+            panels.addAction(dock.toggleViewAction())
+
+    def _choices(self, title: str, names: dict[str, str], use: object) -> QMenu:
+        """Make a menu of which one entry is checked; each entry's data is its key."""
+        menu = QMenu(title, self)
+        group = QActionGroup(menu)
+        for key, name in names.items():
+            action = menu.addAction(name)
+            action.setCheckable(True)
+            action.setData(key)
+            group.addAction(action)
+            action.triggered.connect(partial(use, key))
+        return menu
+
+    def _make_toolbar(self) -> None:
+        bar = self.addToolBar("Toolbar")
+        bar.setObjectName("toolbar")
+        bar.setMovable(False)
+        for command in TOOLBAR:
+            if command is None:
+                bar.addSeparator()
+            else:
+                bar.addAction(self.actions_[command])
+        for title, menu, after in (
+            ("Sample", self._samples, "undo"),
+            ("Colour by", self._colours, "screenshot"),
+        ):
+            button = QToolButton(text=title, popupMode=QToolButton.ToolButtonPopupMode.InstantPopup)
+            button.setMenu(menu)
+            bar.insertWidget(self.actions_[after], button)
+
+    # -- changes
+
+    def _set_view(self, name: str, step: str, value: object) -> None:
+        study = self.session.study
+        view = study.view.model_copy(update={name: value})
+        self.session.apply(study.model_copy(update={"view": view}), step)
+
+    def _set_colour(self, metric: str, *_: object) -> None:
+        self._set_view("colour", "Colour by", metric)
+
+    @staticmethod
+    def _colour_names() -> dict[str, str]:
+        return {"none": "Nothing", **{id_: spec.title for id_, spec in METRICS.items()}}
+
+    def _ask_for_noisy(self) -> None:
+        def use(path: Path) -> None:
+            study = self.session.study.model_copy(update={"noisy": str(path)})
+            self.session.apply(study, "Noisy file")
+
+        dialogs.ask_for_file(self, "Open a noisy file of the same model", use)
+
+    def _advance(self) -> None:
+        """Ask every checked method for a few iterations more."""
+        study: Study = self.session.study
+        for choice in study.methods:
+            if choice.enabled:
+                more = min(choice.iterations + _MORE, MOST_ITERATIONS)
+                study = study.with_choice(choice.model_copy(update={"iterations": more}))
+        self.session.apply(study, "More iterations")
+
+    # -- listening
+
+    def _update_actions(self) -> None:
+        book, session = self.actions_, self.session
+        view, history = session.study.view, session.history
+        for command, value in (
+            ("smooth_shading", view.smooth_shading),
+            ("edges", view.edges),
+            ("link", view.linked),
+        ):
+            book[command].blockSignals(True)
+            book[command].setChecked(value)
+            book[command].blockSignals(False)
+        for command, word, name in (
+            ("undo", "Undo", history.undo_name),
+            ("redo", "Redo", history.redo_name),
+        ):
+            book[command].setEnabled(name is not None)
+            book[command].setText(f"&{word} {name}" if name else f"&{word}")
+        book["cancel"].setEnabled(session.activity is not None)
+        for command in ("save_mesh", "save_plot", "save_table", "screenshot", "advance"):
+            book[command].setEnabled(session.meshes is not None)
+        for action in self._colours.actions():
+            action.setChecked(action.data() == view.colour)
+
+    def _update_title(self) -> None:
+        name = self.session.meshes.name if self.session.meshes else ""
+        self.setWindowTitle(f"{name} – Burnish" if name else "Burnish")
+
+    def _set_mode(self, mode: str, *_: object) -> None:
+        QSettings().setValue(_MODE, mode)
+        set_mode(mode)
+        self._apply_theme()
+
+    def _apply_theme(self) -> None:
+        for action in self._themes.actions():
+            action.setChecked(action.data() == QSettings().value(_MODE, "system"))
+        self.actions_.set_icons(self.palette().color(QPalette.ColorRole.WindowText).name())
+        self.denoise.set_theme(current_theme())
+
+    def _restore(self) -> None:
+        self._set_mode(str(QSettings().value(_MODE, "system")))
+        geometry = QSettings().value(_GEOMETRY)
+        if geometry is None or not self.restoreGeometry(geometry):
+            available = QGuiApplication.primaryScreen().availableSize()
+            self.resize(available.boundedTo(self.sizeHint().expandedTo(available * 0.9)))
+
+
+def _is_model(name: str) -> bool:
+    return Path(name).suffix.lower() in SUPPORTED_READ

@@ -1,0 +1,57 @@
+"""What a metric declares about itself, and the shape of its evaluator."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal, Protocol
+
+from core.arrays import FloatArray
+from core.mesh import TriangleMesh
+
+
+class Evaluator(Protocol):
+    """Compares meshes with one original whose own part is computed once."""
+
+    def value(self, vertices: FloatArray) -> float:
+        """Return the error of a mesh with the original's faces and these positions."""
+        ...
+
+    def elements(self, vertices: FloatArray) -> FloatArray:
+        """Return the error of each vertex or face, for colouring."""
+        ...
+
+
+@dataclass(frozen=True)
+class MetricSpec:
+    """A metric: its name, its unit and the evaluator for an original.
+
+    Attributes
+    ----------
+    id : str
+        Name in code, on the command line and in study files.
+    title : str
+        Name as a person reads it.
+    unit : str
+        Unit of `value`.
+    elements_unit : str
+        Unit of `elements`.
+    elements_on : {"vertex", "face"}
+        What `elements` belongs to.
+    evaluator : callable
+        ``evaluator(original)`` prepares the comparison with an original.
+    summary : str
+        One sentence: what it measures; smaller is better.
+    formula : str
+        The metric in one line.
+    reference : str
+        Where it comes from.
+    """
+
+    id: str
+    title: str
+    unit: str
+    elements_unit: str
+    elements_on: Literal["vertex", "face"]
+    evaluator: Callable[[TriangleMesh], Evaluator]
+    summary: str
+    formula: str
+    reference: str

@@ -1,0 +1,38 @@
+"""Root mean square distance between corresponding vertices."""
+
+import numpy as np
+
+from core.arrays import FloatArray
+from core.mesh import TriangleMesh
+from core.metrics.spec import MetricSpec
+
+
+class VertexRmsEvaluator:
+    """√((1/m) Σᵢ ‖vᵢ − v̂ᵢ‖²) against one original, in units of its mean edge length ℓ̄."""
+
+    def __init__(self, original: TriangleMesh) -> None:
+        self._vertices = original.vertices
+        self._unit = original.mean_edge_length or 1.0
+
+    def value(self, vertices: FloatArray) -> float:
+        """Return the root mean square of `elements`."""
+        difference = (vertices - self._vertices).ravel()
+        return float(np.sqrt(difference @ difference / max(len(vertices), 1)) / self._unit)
+
+    def elements(self, vertices: FloatArray) -> FloatArray:
+        """Return the distance ‖vᵢ − v̂ᵢ‖ of each vertex in ℓ̄, (m,)."""
+        distances: FloatArray = np.linalg.norm(vertices - self._vertices, axis=1) / self._unit
+        return distances
+
+
+SPEC = MetricSpec(
+    id="vertex_rms",
+    title="Vertex RMS error",
+    unit="ℓ̄",
+    elements_unit="ℓ̄",
+    elements_on="vertex",
+    evaluator=VertexRmsEvaluator,
+    summary="Root mean square distance of the vertices from where they were in the original.",
+    formula="√( 1/m Σᵢ ‖vᵢ − v̂ᵢ‖² ) / ℓ̄",
+    reference="Zhang et al., Pacific Graphics 2015, and others",
+)

@@ -1,0 +1,1 @@
+"""Skeletal graphs: levels, bands, graph."""

@@ -1,0 +1,62 @@
+"""When a run has gone wrong: vertices far outside the model, or edges that grow and grow."""
+
+import numpy as np
+
+from core.arrays import FloatArray, IntArray
+from core.kernels import parallel_kernel, prange
+from core.mesh import TriangleMesh
+from core.mesh.geometry import bounding_box
+
+# A vertex may move this many times the half extent of the model from its centre.
+_REACH = 10.0
+# Averaging shortens edges; where noise is amplified they grow within a few iterations, also when
+# the method's own weights keep the vertices from running away to infinity.
+_GROWTH = 3.0
+
+
+class DivergenceError(ArithmeticError):
+    """Raised when a method diverges; `iteration` says in which step, counted from 1."""
+
+    def __init__(self, iteration: int) -> None:
+        super().__init__(f"diverged at iteration {iteration}")
+        self.iteration = iteration
+
+
+@parallel_kernel
+def _total_length(vertices: FloatArray, edges: IntArray) -> float:
+    total = 0.0
+    for e in prange(len(edges)):
+        i, j = edges[e]
+        x = vertices[j, 0] - vertices[i, 0]
+        y = vertices[j, 1] - vertices[i, 1]
+        z = vertices[j, 2] - vertices[i, 2]
+        total += np.sqrt(x * x + y * y + z * z)
+    return total
+
+
+class DivergenceGuard:
+    """Tells whether positions can still be a smoothed version of a mesh.
+
+    A run has diverged when a vertex is not finite or outside ten times the bounding box of the
+    mesh, or when the edges are on average three times as long as at the start.
+
+    Parameters
+    ----------
+    mesh : TriangleMesh
+        The mesh the run starts from.
+    """
+
+    def __init__(self, mesh: TriangleMesh) -> None:
+        low, high = bounding_box(mesh.vertices)
+        self._centre = (low + high) / 2
+        self._reach = _REACH * float((high - low).max()) / 2
+        self._edges = mesh.edges
+        self._longest = _GROWTH * _total_length(mesh.vertices, mesh.edges)
+
+    def allows(self, vertices: FloatArray) -> bool:
+        """Whether the run is still sound; a coordinate that is not a number is not."""
+        low, high = bounding_box(vertices)
+        # Comparisons with nan are false, so they fail on the safe side.
+        inside = np.all(self._centre - low <= self._reach)
+        inside &= np.all(high - self._centre <= self._reach)
+        return bool(inside) and _total_length(vertices, self._edges) <= self._longest

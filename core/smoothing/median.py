@@ -1,0 +1,139 @@
+"""Angle-median filter of face normals, thesis §2.3.2."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from core.arrays import FloatArray, IntArray
+from core.kernels import kernel, parallel_kernel, prange
+from core.mesh import TriangleMesh
+from core.parameters import Params
+from core.smoothing.normal_update import areas_and_normals, fit_vertices
+from core.smoothing.spec import MethodSpec
+
+# Faces a thread handles before it needs a new buffer: enough to make the buffer free, few enough
+# to share the work evenly.
+_BLOCK = 2048
+
+
+class MedianParams(Params):
+    """The angle-median filter has no parameters."""
+
+
+@kernel
+def _select(values: FloatArray, rank: int) -> float:
+    """Value at `rank` (from 0) of the descending order, by Hoare's selection; reorders `values`."""
+    low, high = 0, len(values) - 1
+    while low < high:
+        pivot = values[(low + high) // 2]
+        i, j = low, high
+        while i <= j:
+            while values[i] > pivot:
+                i += 1
+            while values[j] < pivot:
+                j -= 1
+            if i <= j:
+                values[i], values[j] = values[j], values[i]
+                i += 1
+                j -= 1
+        if rank <= j:
+            high = j
+        elif rank >= i:
+            low = i
+        else:
+            break
+    selected: float = values[rank]
+    return selected
+
+
+@kernel
+def _median_face(
+    normals: FloatArray, t: int, ring: IntArray, cosines: FloatArray, scratch: FloatArray
+) -> int:
+    """Face of the ring whose normal makes the lower median angle with that of t."""
+    for slot in range(len(ring)):
+        other = ring[slot]
+        cosines[slot] = (
+            normals[t, 0] * normals[other, 0]
+            + normals[t, 1] * normals[other, 1]
+            + normals[t, 2] * normals[other, 2]
+        )
+    scratch[:] = cosines
+    # Ascending angles are descending cosines.
+    median = _select(scratch, (len(ring) - 1) // 2)
+    face = t
+    for slot in range(len(ring) - 1, -1, -1):
+        if cosines[slot] == median:
+            face = ring[slot]
+    return face
+
+
+@parallel_kernel
+def _median_normals(
+    normals: FloatArray, starts: IntArray, items: IntArray, longest: int
+) -> FloatArray:
+    medians = normals.copy()
+    for block in prange((len(normals) + _BLOCK - 1) // _BLOCK):
+        cosines = np.zeros(longest)
+        scratch = np.zeros(longest)
+        for t in range(block * _BLOCK, min((block + 1) * _BLOCK, len(normals))):
+            ring = items[starts[t] : starts[t + 1]]
+            if len(ring) == 0:
+                continue
+            k = len(ring)
+            face = _median_face(normals, t, ring, cosines[:k], scratch[:k])
+            for x in range(3):
+                medians[t, x] = normals[face, x]
+    return medians
+
+
+def steps(mesh: TriangleMesh, params: MedianParams) -> Iterator[FloatArray]:
+    """Yield the positions after each iteration of the angle-median filter.
+
+    Replaces the normal of each face tᵢ by that of the face t̂ⱼ in tᵢ* where the angle
+    θᵢⱼ = ∠(n(tᵢ), n(tⱼ)) takes its median, then moves the vertices as the mean filter does.
+
+    Parameters
+    ----------
+    mesh : TriangleMesh
+        The noisy mesh, consistently wound.
+    params : MedianParams
+        None to set.
+
+    Yields
+    ------
+    (m, 3) float64 ndarray
+        Positions; a vertex whose faces have no area stays where it is.
+
+    Notes
+    -----
+    An even number of angles takes the lower median, so that it belongs to a real face; of faces
+    with equal angles the one with the smallest number is taken. It commutes with moving, turning
+    and scaling, and with renumbering where no two angles are equal.
+
+    References
+    ----------
+    Zhang, *Geometric Smoothing and Modeling of 3D Graphics*, §2.3.2.
+    Yagou, Ohtake, Belyaev, *Mesh smoothing via mean and median filtering applied to face
+    normals*, GMP 2002.
+    """
+    topology = mesh.topology
+    longest = int(topology.face_ring.lengths.max(initial=1))
+    vertices = mesh.vertices
+    while True:
+        areas, normals = areas_and_normals(vertices, mesh.faces)
+        medians = _median_normals(normals, *topology.face_ring, longest)
+        vertices = fit_vertices(vertices, mesh.faces, *topology.vertex_faces, areas, medians)
+        yield vertices
+
+
+SPEC = MethodSpec(
+    id="median",
+    title="Angle median filter",
+    params=MedianParams,
+    steps=steps,
+    summary="Gives each face the normal at the median angle of its ring and fits the vertices.",
+    formula="m(tᵢ) = n(t̂ⱼ) with ∠(n(tᵢ), n(t̂ⱼ)) = medianⱼ ∠(n(tᵢ), n(tⱼ)); then as the mean",
+    reference="Thesis §2.3.2; Yagou, Ohtake, Belyaev, GMP 2002",
+    departure="An even number of angles takes the lower median, which belongs to a real face.",
+)

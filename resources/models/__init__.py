@@ -1,0 +1,1 @@
+"""The bundled models (``*.ply``) and the scripts that make them."""
