@@ -90,7 +90,7 @@ def compare(
     json_
         Print one JSON object instead of the table.
     """
-    from app.export.reports import comparison_json, comparison_text, write_comparison
+    from app.export.reports import comparison_json, comparison_text
     from core.noise import NoiseParams
     from core.parameters import build_params
     from core.study import Study, run
@@ -103,6 +103,8 @@ def compare(
     )
     result = run(study)
     if output is not None:
+        from app.export.bundle import write_comparison
+
         write_comparison(result, output)
     _say(json.dumps(comparison_json(result)) if json_ else comparison_text(result))
 

@@ -14,7 +14,7 @@ from typing import Literal
 import numpy as np
 
 from core.arrays import FloatArray
-from core.io import LoadedMesh, load_sample, read_mesh
+from core.io import LoadedMesh, read_mesh, sample_path
 from core.mesh import TriangleMesh
 from core.metrics import METRICS, Evaluator
 from core.noise import NoiseParams, add_noise
@@ -203,7 +203,7 @@ class StudyResult:
 def read_model(model: str) -> LoadedMesh:
     """Read a model by its path or, as ``sample:ID``, from the bundled ones."""
     if model.startswith(SAMPLE_PREFIX):
-        return load_sample(model.removeprefix(SAMPLE_PREFIX))
+        return read_mesh(sample_path(model.removeprefix(SAMPLE_PREFIX)))
     return read_mesh(Path(model))
 
 

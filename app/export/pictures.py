@@ -1,5 +1,7 @@
 """Pictures of panes without a window: any size, opaque or transparent."""
 
+import os
+import sys
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -48,6 +50,7 @@ def grid_picture(
     (height, width, 3 or 4) uint8 ndarray
         RGB, or RGBA with straight alpha where `transparent`.
     """
+    prefer_headless_graphics()
     plotter = pv.Plotter(shape=GRID_SHAPE, border=False, off_screen=True, window_size=list(size))
     try:
         grid = PaneGrid(plotter)
@@ -61,6 +64,12 @@ def grid_picture(
         return unmix(_shot(plotter, grid, "black", None), _shot(plotter, grid, "white", None))
     finally:
         plotter.close()
+
+
+def prefer_headless_graphics() -> None:
+    """Without a display, let VTK draw without asking an X server first."""
+    if sys.platform == "linux" and not os.environ.get("DISPLAY"):
+        os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")
 
 
 def unmix(over_black: Picture, over_white: Picture) -> Picture:
@@ -100,5 +109,6 @@ def save_picture(picture: Picture, path: Path) -> None:
 def _shot(plotter: pv.Plotter, grid: PaneGrid, bottom: str, top: str | None) -> Picture:
     grid.set_ground(bottom, top)
     grid.fit_clipping()
+    plotter.render()
     picture: Picture = plotter.screenshot(return_img=True)
     return picture[..., :3]

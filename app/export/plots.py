@@ -15,6 +15,7 @@ from matplotlib.figure import Figure
 from app.export.frame import FONT_SIZE, Entry, add_legend, dress, scale
 from app.export.outcomes import Outcome
 from app.scene.colours import LIGHT, Theme
+from core.io import SaveError
 from core.metrics import MetricSpec
 
 PLOT_SUFFIXES = (".png", ".svg", ".pdf")
@@ -138,14 +139,14 @@ def save_error_plot(
 
     Raises
     ------
-    ValueError
+    SaveError
         If the suffix is another.
     """
     file = Path(path)
     suffix = file.suffix.lower()
     if suffix not in PLOT_SUFFIXES:
         allowed = " ".join(PLOT_SUFFIXES)
-        raise ValueError(f"{file.name}: plots are not written in this format; allowed: {allowed}.")
+        raise SaveError(f"{file.name}: plots are not written in this format; use {allowed}.")
     figure = Figure(figsize=size)
     axes = figure.add_subplot()
     draw_errors(axes, curves, noisy_value, metric, theme, log=log, selected=selected)

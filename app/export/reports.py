@@ -1,12 +1,8 @@
 """What the command line prints and writes about a comparison."""
 
-from pathlib import Path
 from typing import Any
 
-import numpy as np
-
-from core.io import SaveError, save_mesh
-from core.metrics import METRICS
+from app.export.tables import as_text, study_rows
 from core.parameters import describe
 from core.smoothing import METHODS
 from core.study import MethodResult, StudyResult
@@ -84,3 +80,13 @@ def _method_text(method: str) -> str:
         lines.append(f"    {parameter.name} = {default}  ({parameter.domain})")
         lines.append(f"        {parameter.help}")
     return "\n".join(lines)
+
+
+def comparison_text(result: StudyResult) -> str:
+    """Describe a comparison as a table for a terminal."""
+    original = result.comparison.original
+    head = (
+        f"{result.study.model}: {len(original.vertices):,} vertices, "
+        f"{len(original.faces):,} faces, mean edge length {original.mean_edge_length:.6g}"
+    )
+    return "\n".join([head, *result.report, as_text(study_rows(result))])

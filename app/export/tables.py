@@ -2,11 +2,14 @@
 
 import csv
 import io
+import os
 import unicodedata
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 from app.export.outcomes import Outcome, study_outcomes
+from core.io import SaveError
 from core.metrics import METRICS
 from core.study import StudyResult
 
@@ -119,14 +122,14 @@ def headers() -> tuple[str, ...]:
     return ("Method", "Iteration", *metrics, "Best at", "Best error", "ms/iteration", "Note")
 
 
-def cells(row: ResultRow) -> tuple[str, ...]:
-    """Return the cells of a row as a person reads them."""
+def cells(row: ResultRow, digits: int = 4) -> tuple[str, ...]:
+    """Return the cells of a row as a person reads them, errors with this many digits."""
     return (
         row.title,
         _count(row.iteration),
-        *(significant(row.errors[metric]) for metric in METRICS),
+        *(significant(row.errors[metric], digits) for metric in METRICS),
         _count(row.best_iteration),
-        significant(row.best_error),
+        significant(row.best_error, digits),
         significant(row.milliseconds, 3),
         row.note,
     )
@@ -179,6 +182,30 @@ def as_text(rows: Sequence[ResultRow]) -> str:
     ]
     padded.insert(1, "  ".join("─" * width for width in widths))
     return "".join(f"{line.rstrip()}\n" for line in padded)
+
+
+_FORMATS: dict[str, Callable[[Sequence[ResultRow]], str]] = {
+    ".csv": as_csv,
+    ".md": as_markdown,
+    ".tex": as_latex,
+    ".txt": as_text,
+}
+TABLE_SUFFIXES = tuple(_FORMATS)
+
+
+def save_table(path: str | os.PathLike[str], rows: Sequence[ResultRow]) -> None:
+    """Write the table to a file in the format of its suffix, one of `TABLE_SUFFIXES`.
+
+    Raises
+    ------
+    SaveError
+        If the suffix is another.
+    """
+    file = Path(path)
+    if file.suffix.lower() not in _FORMATS:
+        allowed = " ".join(_FORMATS)
+        raise SaveError(f"{file.name}: tables are not written in this format; use {allowed}.")
+    file.write_text(_FORMATS[file.suffix.lower()](rows), encoding="utf-8")
 
 
 def _is_text() -> list[bool]:

@@ -20,6 +20,9 @@ PRESETS: dict[str, tuple[tuple[float, float, float], tuple[float, float, float]]
 """Direction from the model to the camera, and the direction that is up, by name."""
 
 
+_VIEW_ANGLE = 30.0
+
+
 class CameraPose(NamedTuple):
     """Where a camera stands: position, focal point and up, three coordinates each."""
 
@@ -39,11 +42,17 @@ class CameraPose(NamedTuple):
         camera.SetViewUp(self.view_up)
 
 
-def preset_pose(name: str, radius: float, view_angle: float = 30.0) -> CameraPose:
-    """Pose that shows a ball of `radius` about the origin from a preset direction."""
+def preset_pose(name: str, radius: float, aspect: float = 1.0) -> CameraPose:
+    """Pose that shows a ball of `radius` about the origin from a preset direction.
+
+    `aspect` is width over height of the narrowest view; a narrow one needs more distance.
+    """
     direction, up = PRESETS[name]
     unit = np.array(direction) / np.linalg.norm(direction)
-    distance = 0.98 * radius / np.sin(np.radians(view_angle / 2))
+    half_angle = np.radians(_VIEW_ANGLE / 2)
+    if aspect < 1:
+        half_angle = np.arctan(aspect * np.tan(half_angle))
+    distance = 0.98 * radius / np.sin(half_angle)
     return CameraPose(tuple(unit * distance), (0.0, 0.0, 0.0), up)
 
 

@@ -1,12 +1,15 @@
 """The two lines of text above a pane's mesh."""
 
+from pathlib import Path
+
+import matplotlib
 import pyvista as pv
 
 from app.scene.panes import Look, Pane
 
 _WARNING = {True: "#ff8a7a", False: "#b3261e"}
-_TITLE_SIZE = 15
-_CAPTION_SIZE = 13
+_TITLE_SIZE = 13
+_CAPTION_SIZE = 12
 _MARGIN = 8
 
 
@@ -38,13 +41,26 @@ class Caption:
     @staticmethod
     def _place(line: pv.Text, top: float, size: int, left: float) -> None:
         line.SetPosition(left, top)
-        line.prop.font_size = size
+        line.prop.SetFontSize(size)
+
+
+def text_line(size: int, *, bold: bool = False) -> pv.Text:
+    """An empty line of text, hanging from its position."""
+    line = pv.Text("", position=(0, 0))
+    line.prop = text_style(size, bold=bold)
+    line.prop.SetVerticalJustificationToTop()
+    return line
+
+
+def text_style(size: int, *, bold: bool = False) -> pv.TextProperty:
+    """Text in a font that has the signs of the field: VTK's own knows neither σ nor ℓ."""
+    name = "DejaVuSans-Bold.ttf" if bold else "DejaVuSans.ttf"
+    font = Path(matplotlib.get_data_path()) / "fonts" / "ttf" / name
+    return pv.TextProperty(font_file=str(font), font_size=size)
 
 
 def _line(size: int, *, bold: bool) -> pv.Text:
-    prop = pv.TextProperty(font_family="arial", font_size=size, bold=bold)
-    line = pv.Text("", position=(0, 0), prop=prop)
-    line.prop.SetVerticalJustificationToTop()
+    line = text_line(size, bold=bold)
     # Pixels, not shares of the viewport, keep the text the same size in every layout.
     line.GetPositionCoordinate().SetCoordinateSystemToViewport()
     return line

@@ -3,6 +3,7 @@
 import pyvista as pv
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 
+from app.scene.caption import text_line, text_style
 from app.scene.panes import Look
 
 _LABEL_SIZE = 12
@@ -22,10 +23,10 @@ class ColourBar:
         self._bar.SetPosition2(0.8, 0.82)
         self._bar.SetBarRatio(0.26)
         self._bar.SetTitle("")
-        prop = pv.TextProperty(font_family="arial", font_size=_LABEL_SIZE)
-        self._title = pv.Text("", position=(0.5, 0.985), prop=prop)
+        self._bar.SetLabelTextProperty(text_style(_LABEL_SIZE))
+        self._title = text_line(_LABEL_SIZE)
+        self._title.SetPosition(0.5, 0.985)
         self._title.prop.SetJustificationToCentered()
-        self._title.prop.SetVerticalJustificationToTop()
         self._title.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
 
     def add_to(self, renderer: pv.Renderer) -> None:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from core.smoothing import METHODS
 
 # Okabe and Ito's palette for colour-blind readers, dark enough on white and light enough on black.
-_PALETTE = ("#0072b2", "#e69f00", "#009e73", "#cc79a7", "#d55e00", "#56b4e9", "#8c6bb1", "#999933")
+_PALETTE = ("#1a80c4", "#e69f00", "#009e73", "#cc79a7", "#d55e00", "#56b4e9", "#8c6bb1", "#999933")
 
 ORIGINAL_COLOUR = "#7f8c99"
 NOISY_COLOUR = "#7f7f7f"

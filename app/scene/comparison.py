@@ -1,17 +1,21 @@
-"""The panes of the denoising comparison: original, noisy, and one for each checked method."""
+"""The panes of the denoising comparison: original, noisy, and one for each method."""
 
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from app.scene.colours import NOISY_COLOUR, ORIGINAL_COLOUR, Theme, method_colour
+from app.scene.colours import LIGHT, NOISY_COLOUR, ORIGINAL_COLOUR, Theme, method_colour
 from app.scene.grid import CAPACITY
 from app.scene.panes import Look, Pane, Points, shared_range
 from app.session import Meshes, Run, Session
+from core.arrays import FloatArray
 from core.metrics import METRICS, MetricSpec
 from core.smoothing import METHODS
-from core.study import MethodChoice
+from core.study import Comparison, MethodChoice, MethodResult, Study, StudyResult
+
+METHOD_CAPACITY = CAPACITY - 2
+"""Methods that fit beside the original and the noisy mesh."""
 
 
 def error_text(metric: MetricSpec, value: float) -> str:
@@ -21,99 +25,142 @@ def error_text(metric: MetricSpec, value: float) -> str:
     return f"{symbol} = {value:.3g}{unit}"
 
 
+def end_panes(study: Study, comparison: Comparison, original: Points, noisy: Points) -> list[Pane]:
+    """Panes of the original and of the noisy mesh, with their points already centred."""
+    mesh, metric = comparison.original, METRICS[study.metric]
+    counts = f"{len(mesh.vertices):,} vertices, {len(mesh.faces):,} faces"
+    source = "from file" if study.noisy else f"σ = {study.noise.sigma:g} ℓ̄"
+    caption = f"{source}   {error_text(metric, comparison.noisy_errors[metric.id])}"
+    return [
+        Pane("original", "Original", counts, ORIGINAL_COLOUR, original),
+        Pane("noisy", "Noisy input", caption, NOISY_COLOUR, noisy),
+    ]
+
+
+def method_pane(
+    choice: MethodChoice,
+    metric: MetricSpec,
+    points: Points,
+    shown: int,
+    error: float,
+    diverged: int | None,
+) -> Pane:
+    """Pane of a method at the iteration `shown`."""
+    text = f"k = {shown}   {error_text(metric, error)}"
+    warning = diverged is not None and choice.iterations >= diverged
+    if warning:
+        text = f"diverged at iteration {diverged}   {text}"
+    elif shown < choice.iterations:
+        text = f"k = {shown} of {choice.iterations}   {error_text(metric, error)}"
+    title, colour = METHODS[choice.method].title, method_colour(choice.method)
+    return Pane(choice.method, title, text, colour, points, warning=warning)
+
+
+def build_look(
+    study: Study, comparison: Comparison, panes: list[Pane], theme: Theme, text_scale: float
+) -> Look:
+    """How the panes of a study are drawn."""
+    metric = METRICS.get(study.view.colour)
+    return Look(
+        faces=comparison.original.faces,
+        theme=theme,
+        smooth=study.view.smooth_shading,
+        edges=study.view.edges,
+        values_on=metric.elements_on if metric else "vertex",
+        colour_title=_bar_title(metric) if metric else "",
+        colour_range=shared_range(panes),
+        text_scale=text_scale,
+    )
+
+
 class ComparisonScene:
     """Builds the panes from a session, and keeps the values of panes that did not change."""
 
     def __init__(self, session: Session) -> None:
         self._session = session
         self._meshes: Meshes | None = None
-        self._ends: dict[str, Points] = {}
+        self._ends: tuple[Points, Points] = (np.zeros((0, 3), np.float32),) * 2
         self._values: dict[str, tuple[Points, str, NDArray[np.float64]]] = {}
 
     def panes(self) -> list[Pane]:
         """Panes of the current study in display order; empty before a model is there."""
-        meshes = self._session.meshes
+        meshes, study = self._session.meshes, self._session.study
         if meshes is None:
             return []
         if meshes is not self._meshes:
             self._place_ends(meshes)
-        choices = [choice for choice in self._session.study.methods if choice.enabled]
-        panes = [self._original(meshes), self._noisy(meshes)]
-        panes += [self._method(choice) for choice in choices[: CAPACITY - 2]]
-        return [self._coloured(pane) for pane in panes]
+        choices = [choice for choice in study.methods if choice.enabled]
+        panes = end_panes(study, meshes.comparison, *self._ends)
+        panes += [self._method(choice) for choice in choices[:METHOD_CAPACITY]]
+        return [self._coloured(pane, meshes.comparison) for pane in panes]
 
     def look(self, panes: list[Pane], theme: Theme, selected: str | None, scale: float) -> Look:
         """How the panes of the current study are drawn."""
-        view, meshes = self._session.study.view, self._session.meshes
-        metric = METRICS.get(view.colour)
-        faces = meshes.comparison.original.faces if meshes else np.zeros((0, 3), np.int32)
-        return Look(
-            faces=faces,
-            theme=theme,
-            smooth=view.smooth_shading,
-            edges=view.edges,
-            values_on=metric.elements_on if metric else "vertex",
-            colour_title=_bar_title(metric) if metric else "",
-            colour_range=shared_range(panes),
-            selected=selected,
-            text_scale=scale,
-        )
+        meshes = self._session.meshes
+        if meshes is None:
+            return Look(np.zeros((0, 3), np.int32), theme)
+        look = build_look(self._session.study, meshes.comparison, panes, theme, scale)
+        return replace(look, selected=selected)
 
     def _place_ends(self, meshes: Meshes) -> None:
         """Centre the original and the noisy mesh as the runs are."""
         self._meshes = meshes
         comparison = meshes.comparison
         centre = comparison.original.vertices.mean(axis=0)
-        self._ends = {
-            "original": (comparison.original.vertices - centre).astype(np.float32),
-            "noisy": (comparison.noisy.vertices - centre).astype(np.float32),
-        }
+        self._ends = (
+            _centred(comparison.original.vertices, centre),
+            _centred(comparison.noisy.vertices, centre),
+        )
         self._values.clear()
 
-    def _original(self, meshes: Meshes) -> Pane:
-        mesh = meshes.comparison.original
-        caption = f"{len(mesh.vertices):,} vertices, {len(mesh.faces):,} faces"
-        return Pane("original", "Original", caption, ORIGINAL_COLOUR, self._ends["original"])
-
-    def _noisy(self, meshes: Meshes) -> Pane:
-        study = self._session.study
-        metric = METRICS[study.metric]
-        error = error_text(metric, meshes.comparison.noisy_errors[metric.id])
-        source = "from file" if study.noisy else f"σ = {study.noise.sigma:g} ℓ"
-        return Pane(
-            "noisy", "Noisy input", f"{source}   {error}", NOISY_COLOUR, self._ends["noisy"]
-        )
-
     def _method(self, choice: MethodChoice) -> Pane:
-        run = self._session.run(choice.method)
-        title, colour = METHODS[choice.method].title, method_colour(choice.method)
-        if run is None:
-            return Pane(choice.method, title, "waiting", colour, self._ends["noisy"])
-        shown = self._session.shown_iteration(choice.method)
-        caption, warning = self._caption(run, choice, shown)
-        return Pane(choice.method, title, caption, colour, run.positions[shown], warning=warning)
-
-    def _caption(self, run: Run, choice: MethodChoice, shown: int) -> tuple[str, bool]:
+        run: Run | None = self._session.run(choice.method)
         metric = METRICS[self._session.study.metric]
-        error = error_text(metric, run.values(metric.id)[shown])
-        if run.diverged and choice.iterations >= run.diverged:
-            return f"diverged at iteration {run.diverged}   k = {shown}   {error}", True
-        more = f" of {choice.iterations}" if shown < choice.iterations else ""
-        return f"k = {shown}{more}   {error}", False
+        if run is None:
+            return method_pane(choice, metric, self._ends[1], 0, 0.0, None)
+        shown = self._session.shown_iteration(choice.method)
+        error = run.errors[shown][metric.id]
+        return method_pane(choice, metric, run.positions[shown], shown, error, run.diverged)
 
-    def _coloured(self, pane: Pane) -> Pane:
-        metric, meshes = self._session.study.view.colour, self._session.meshes
-        if metric not in METRICS or pane.id == "original" or meshes is None:
+    def _coloured(self, pane: Pane, comparison: Comparison) -> Pane:
+        metric = self._session.study.view.colour
+        if metric not in METRICS or pane.id == "original":
             return pane
         known = self._values.get(pane.id)
         if known is None or known[0] is not pane.points or known[1] != metric:
-            centre = meshes.comparison.original.vertices.mean(axis=0)
+            centre = comparison.original.vertices.mean(axis=0)
             vertices = pane.points.astype(np.float64) + centre
-            values = meshes.comparison.evaluators[metric].elements(vertices)
+            values = comparison.evaluators[metric].elements(vertices)
             self._values[pane.id] = known = (pane.points, metric, values)
         return replace(pane, values=known[2])
 
 
+def study_panes(result: StudyResult) -> list[Pane]:
+    """Panes of a finished study, each method at its last good iteration."""
+    comparison, study = result.comparison, result.study
+    centre = comparison.original.vertices.mean(axis=0)
+    ends = [_centred(mesh.vertices, centre) for mesh in (comparison.original, comparison.noisy)]
+    panes = end_panes(study, comparison, *ends)
+    return panes + [
+        _result_pane(study, method, centre) for method in result.methods[:METHOD_CAPACITY]
+    ]
+
+
+def study_look(result: StudyResult, panes: list[Pane], text_scale: float) -> Look:
+    """How the panes of a finished study are drawn."""
+    return build_look(result.study, result.comparison, panes, LIGHT, text_scale)
+
+
+def _result_pane(study: Study, result: MethodResult, centre: FloatArray) -> Pane:
+    metric = METRICS[study.metric]
+    error = result.errors[metric.id][-1]
+    points = _centred(result.mesh.vertices, centre)
+    return method_pane(result.choice, metric, points, result.iterations, error, result.diverged)
+
+
+def _centred(vertices: FloatArray, centre: FloatArray) -> Points:
+    return (vertices - centre).astype(np.float32)
+
+
 def _bar_title(metric: MetricSpec) -> str:
-    unit = {"ℓ̄²": "mean edge²", "ℓ̄": "mean edge"}.get(metric.elements_unit, metric.elements_unit)
-    return f"{metric.title}\n({unit})"
+    return f"{metric.title}\n({metric.elements_unit})"

@@ -5,7 +5,6 @@ from collections.abc import Sequence
 import numpy as np
 import pyvista as pv
 from vtkmodules.vtkCommonDataModel import vtkCellArray
-from vtkmodules.vtkRenderingCore import vtkCamera
 
 from app.scene.camera import CameraPose, preset_pose
 from app.scene.caption import Caption
@@ -46,10 +45,11 @@ class PaneGrid:
         self._panes: list[Pane] = []
         self._look: Look | None = None
         self._linked = True
+        self._narrowest = 1.0
         for renderer, surface, caption in self._slots():
             renderer.AddActor(surface.actor)
             caption.add_to(renderer)
-        self._share_camera(self._renderers[0].GetActiveCamera())
+        self._share_camera(pv.Camera())
 
     def show(self, panes: Sequence[Pane], look: Look, size: tuple[int, int]) -> None:
         """Draw the panes in a window of `size` pixels; at most :data:`CAPACITY`."""
@@ -99,9 +99,9 @@ class PaneGrid:
             self._share_camera(self._renderers[first].GetActiveCamera())
             return
         for renderer in self._renderers:
-            camera = vtkCamera()
+            camera = pv.Camera()
             camera.DeepCopy(renderer.GetActiveCamera())
-            renderer.SetActiveCamera(camera)
+            self._use(renderer, camera)
 
     def poses(self) -> list[CameraPose]:
         """Return the pose of every camera, pane by pane."""
@@ -118,7 +118,7 @@ class PaneGrid:
         """Show the whole of the first pane's model from a preset direction."""
         if self._panes:
             radius = float(np.linalg.norm(self._panes[0].points, axis=1).max())
-            self.set_poses([preset_pose(preset, radius)])
+            self.set_poses([preset_pose(preset, radius, self._narrowest)])
 
     def fit_clipping(self) -> None:
         """Set the clipping ranges from the union of all panes, which a shared camera needs."""
@@ -136,9 +136,15 @@ class PaneGrid:
     def _slots(self) -> list[tuple[pv.Renderer, SurfaceActor, Caption]]:
         return list(zip(self._renderers, self._surfaces, self._captions, strict=True))
 
-    def _share_camera(self, camera: vtkCamera) -> None:
+    def _share_camera(self, camera: pv.Camera) -> None:
         for renderer in self._renderers:
-            renderer.SetActiveCamera(camera)
+            self._use(renderer, camera)
+
+    @staticmethod
+    def _use(renderer: pv.Renderer, camera: pv.Camera) -> None:
+        renderer.SetActiveCamera(camera)
+        # Else PyVista chooses a view of its own at the first picture.
+        renderer.camera.is_set = True
 
     def _shared_cells(self, faces: IntArray) -> vtkCellArray:
         if self._cells is None or self._cells[0] is not faces:
@@ -155,6 +161,8 @@ class PaneGrid:
         shown = [self.enlarged] if self.enlarged else self.ids
         ports = tile(len(shown), width / max(height, 1), right)
         self.viewports = dict(zip(shown, ports, strict=True))
+        sides = [port.pixels(width, max(height, 1))[2:] for port in ports]
+        self._narrowest = min((wide / max(high, 1) for wide, high in sides), default=1.0)
         places = [self.viewports.get(id_, _NOWHERE) for id_ in self.ids]
         places += [_NOWHERE] * (CAPACITY - len(places))
         bar_place = Viewport(right, 0.0, 1.0, 1.0) if bar else _NOWHERE

@@ -9,6 +9,7 @@ import threading
 from collections import deque
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 
 logger = logging.getLogger(__name__)
@@ -96,7 +97,7 @@ class Jobs:
             item = None if job.cancelled else next(job.steps, None)
         except Exception as error:  # noqa: BLE001 - whatever a worker raises belongs to its owner
             logger.info("job failed: %s", error)
-            self._deliver(lambda error=error: job.on_error(error))
+            self._deliver(partial(job.on_error, error))
             item = None
         if item is None:
             self._deliver(job.on_done)

@@ -214,5 +214,4 @@ class Session:
         self.jobs.start(job)
 
     def _report(self, error: Exception) -> None:
-        text = str(error) or type(error).__name__
-        self.failed.emit(text[0].upper() + text[1:])
+        self.failed.emit(str(error) or type(error).__name__)

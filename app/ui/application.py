@@ -6,8 +6,8 @@ import sys
 # pyvistaqt asks qtpy for a binding; say which before either is imported.
 os.environ.setdefault("QT_API", "pyside6")
 
-from PySide6.QtCore import QCoreApplication  # noqa: E402
-from PySide6.QtWidgets import QApplication  # noqa: E402
+from PySide6.QtCore import QCoreApplication
+from PySide6.QtWidgets import QApplication
 
 
 def start(model: str) -> int:

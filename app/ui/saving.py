@@ -46,7 +46,7 @@ def ask_for_screenshot(window: "MainWindow") -> None:
     pane = _pictured_pane(window)
     viewport = window.denoise.viewport
     grid = viewport.pixel_size()
-    left, top, width, height = viewport.grid.viewports.get(
+    _, _, width, height = viewport.grid.viewports.get(
         pane, next(iter(viewport.grid.viewports.values()))
     ).pixels(*grid)
     sizes = {

@@ -35,7 +35,7 @@ def _vertex_pieces(
     v: int, ranks: IntArray, faces: IntArray, ring: IntArray, around: IntArray
 ) -> tuple[int, int, int]:
     """Pieces of the lower and of the upper link of vertex v, and χ of the lower link."""
-    parent = np.arange(len(ring))
+    parent = np.arange(len(ring)).astype(np.int32)
     lower = 0
     for j in ring:
         lower += ranks[j] < ranks[v]

@@ -95,8 +95,8 @@ def normalise(
     low, high = float(surface.min()), float(surface.max())
     if high - low <= 10.0**-_DECIMALS * max(abs(low), abs(high)):
         notes = (*notes, f"The field {name} is constant on this mesh.")
-        normalised, high = np.zeros_like(values), low
+        values, high = np.zeros(len(values)), low
     else:
-        normalised = np.round(np.clip((values - low) / (high - low), 0, 1), _DECIMALS)
-    frozen(normalised)
-    return ScalarField(name, normalised, (low, high), params, notes, is_squared)
+        values = np.clip((values - low) / (high - low), 0, 1).round(_DECIMALS)
+    frozen(values)
+    return ScalarField(name, values, (low, high), params, notes, is_squared)

@@ -1,15 +1,16 @@
-"""glTF 2 and its binary form GLB, by trimesh.
+"""glTF 2 and its binary form GLB; trimesh decodes the arrays.
 
-trimesh leaves some things out without a word: compressed and sparse data, triangle fans, scaled
-integers, instances on the GPU. A model that needs one of them is refused here, so that nobody gets
-a wrong mesh; and sizes are compared with the file before memory is asked for.
+trimesh passes over some things without a word: compressed and sparse data, triangle fans, scaled
+integers, instances on the GPU, whatever hangs below a camera. Here the description is read first:
+what trimesh cannot do is refused, what does not matter (cameras, points, lines) is taken out, and
+sizes are compared with the file before memory is asked for.
 """
 
 import io
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 from urllib.parse import unquote
 
 import numpy as np
@@ -19,6 +20,8 @@ from core.io.errors import LoadError
 from core.io.parts import Part, join_parts
 from core.io.polygons import Polygons, counted
 
+Tree: TypeAlias = dict[str, Any]
+
 _CHANGES_SHAPE = {
     "KHR_draco_mesh_compression",
     "EXT_meshopt_compression",
@@ -26,9 +29,12 @@ _CHANGES_SHAPE = {
     "EXT_mesh_gpu_instancing",
 }
 _MAGIC = b"glTF"
-_GLB_HEAD = 20
-_TRIANGLES, _STRIP, _FAN = 4, 5, 6
-# Many accessors may look at one buffer; more than this many times its size is a trap.
+_HEAD = 12
+_CHUNK_HEAD = 8
+# Name under which the binary chunk of a GLB file is handed to trimesh.
+_BINARY_CHUNK = "binary chunk"
+_TRIANGLES, _FAN = 4, 6  # below 4 are points and lines
+# Many arrays may look at one buffer; together more than this many times its size is a trap.
 _LARGEST_GROWTH = 20
 _ITEM_BYTES = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}
 _ITEMS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
@@ -37,20 +43,37 @@ _FLOAT32 = 5126
 
 def read_gltf(path: Path) -> Polygons:
     """Read the triangles of all nodes of the scene, each moved to its place."""
-    data = path.read_bytes()
-    tree = _tree(data)
-    primitives = [part for mesh in tree.get("meshes", []) for part in mesh["primitives"]]
-    _refuse_what_trimesh_misses(tree, primitives)
-    files = dict(_buffer_files(tree, path.parent.resolve()))
-    size = len(data) + sum(map(len, files.values()))
+    text, binary = _chunks(path.read_bytes())
+    tree = _tree(text)
+    files = _buffer_files(tree, path.parent.resolve(), binary)
+    size = len(text) + sum(map(len, files.values()))
+    bare = _take_out_points_and_cameras(tree)
+    _refuse_what_trimesh_misses(tree)
     _check_sizes(tree, size)
-    bare = sum(part.get("mode", _TRIANGLES) not in (_TRIANGLES, _STRIP) for part in primitives)
     left_out = (f"{counted(bare, 'part')} of points or lines left out",) if bare else ()
-    return join_parts(_parts(data, files), file_size=size, changes=left_out)
+    return join_parts(_parts(tree, files), file_size=size, changes=left_out)
 
 
-def _tree(data: bytes) -> dict[str, Any]:
-    text = _json_chunk(data) if data.startswith(_MAGIC) else data
+def _chunks(data: bytes) -> tuple[bytes, bytes]:
+    """Return the description and, from a GLB file, the binary data."""
+    if not data.startswith(_MAGIC):
+        return data, b""
+    length = int.from_bytes(data[8:_HEAD], "little")
+    if len(data) < max(length, _HEAD + _CHUNK_HEAD):
+        raise LoadError(f"the file is cut short: {length:,} bytes announced, {len(data):,} there")
+    text, rest = _chunk(data[_HEAD:])
+    return text, _chunk(rest)[0]
+
+
+def _chunk(data: bytes) -> tuple[bytes, bytes]:
+    """Return the content of the first chunk, and what follows it."""
+    end = _CHUNK_HEAD + int.from_bytes(data[:4], "little")
+    if len(data) < end and data:
+        raise LoadError("the file is cut short: a chunk is longer than the file")
+    return data[_CHUNK_HEAD:end], data[end:]
+
+
+def _tree(text: bytes) -> Tree:
     try:
         tree = json.loads(text)
     except (ValueError, RecursionError) as error:
@@ -60,29 +83,58 @@ def _tree(data: bytes) -> dict[str, Any]:
     return tree
 
 
-def _json_chunk(data: bytes) -> bytes:
-    """Return the first chunk of a GLB file."""
-    _, _, length, size = np.frombuffer(data[:16].ljust(16, b"\0"), "<u4").tolist()
-    if len(data) < max(length, _GLB_HEAD):
-        raise LoadError(f"the file is cut short: {length:,} bytes announced, {len(data):,} there")
-    return data[_GLB_HEAD : _GLB_HEAD + size]
+def _buffer_files(tree: Tree, folder: Path, binary: bytes) -> dict[str, bytes]:
+    """Read the files that hold the numbers; nothing outside the model's folder is touched."""
+    files = {_BINARY_CHUNK: binary}
+    for buffer in tree.get("buffers", []):
+        uri = buffer.setdefault("uri", _BINARY_CHUNK)
+        if uri in files or uri.startswith("data:"):
+            continue
+        file = (folder / unquote(uri)).resolve()
+        if not file.is_relative_to(folder) or not file.is_file():
+            raise LoadError(f"it needs the file {uri[:60]!r}, which is not beside it")
+        files[uri] = file.read_bytes()
+    return files
 
 
-def _refuse_what_trimesh_misses(tree: dict[str, Any], primitives: Sequence[dict[str, Any]]) -> None:
+def _take_out_points_and_cameras(tree: Tree) -> int:
+    """Leave only what has a surface; return the number of parts that have none."""
+    bare = 0
+    for mesh in tree.get("meshes", []):
+        surfaces = [part for part in mesh["primitives"] if _mode(part) >= _TRIANGLES]
+        bare += len(mesh["primitives"]) - len(surfaces)
+        mesh["primitives"] = surfaces
+    for node in tree.get("nodes", []):
+        node.pop("camera", None)
+        if "mesh" in node and not tree["meshes"][node["mesh"]]["primitives"]:
+            del node["mesh"]
+    return bare
+
+
+def _mode(primitive: Tree) -> int:
+    mode: int = primitive.get("mode", _TRIANGLES)
+    return mode
+
+
+def _refuse_what_trimesh_misses(tree: Tree) -> None:
     extensions = _CHANGES_SHAPE.intersection(tree.get("extensionsUsed", []))
     if extensions:
         raise LoadError(f"it uses {', '.join(sorted(extensions))}, which is not read")
+    children = [child for node in tree.get("nodes", []) for child in node.get("children", [])]
+    if len(set(children)) < len(children):
+        raise LoadError("its nodes do not form a tree")
     accessors = tree.get("accessors", [])
     if any("sparse" in accessor or "bufferView" not in accessor for accessor in accessors):
         raise LoadError("it uses sparse or missing data, which is not read")
-    if any(part.get("mode") == _FAN for part in primitives):
+    primitives = [part for mesh in tree.get("meshes", []) for part in mesh["primitives"]]
+    if any(_mode(part) == _FAN for part in primitives):
         raise LoadError("it uses triangle fans, which are not read")
     positions = [accessors[part["attributes"]["POSITION"]] for part in primitives]
     if any(position["componentType"] != _FLOAT32 for position in positions):
         raise LoadError("its coordinates are not 32-bit numbers, which are the only ones read")
 
 
-def _check_sizes(tree: dict[str, Any], available: int) -> None:
+def _check_sizes(tree: Tree, available: int) -> None:
     accessors = tree.get("accessors", [])
     if any(accessor["count"] < 1 for accessor in accessors):
         raise LoadError("it announces an array without entries")
@@ -92,45 +144,36 @@ def _check_sizes(tree: dict[str, Any], available: int) -> None:
     ]
     views = [view["byteLength"] for view in tree.get("bufferViews", [])]
     if max(sum(sizes), sum(views)) > _LARGEST_GROWTH * available:
-        raise LoadError("it announces far more numbers than it holds")
+        raise LoadError("the file is cut short: it announces far more numbers than it holds")
 
 
-def _buffer_files(tree: dict[str, Any], folder: Path) -> Iterator[tuple[str, bytes]]:
-    """Read the files that hold the numbers; nothing outside the model's folder is touched."""
-    for uri in {buffer.get("uri", "data:") for buffer in tree.get("buffers", [])}:
-        if uri.startswith("data:"):
-            continue
-        file = (folder / unquote(uri)).resolve()
-        if not file.is_relative_to(folder) or not file.is_file():
-            raise LoadError(f"it needs the file {uri[:60]!r}, which is not beside it")
-        yield uri, file.read_bytes()
-
-
-def _parts(data: bytes, files: dict[str, bytes]) -> Iterator[Part]:
-    """Let trimesh read the scene; parts come in the order of the file's meshes."""
+def _parts(tree: Tree, files: dict[str, bytes]) -> Iterator[Part]:
+    """Let trimesh decode the scene; parts come in the order of the file's meshes."""
     import trimesh
 
-    kind = "glb" if data.startswith(_MAGIC) else "gltf"
+    text = io.BytesIO(json.dumps(tree).encode())
     options = {"process": False, "skip_materials": True}
-    scene = trimesh.load_scene(io.BytesIO(data), file_type=kind, resolver=files, **options)
+    scene = trimesh.load_scene(text, file_type="gltf", resolver=files, **options)
+    places = list(_places(scene.graph))
+    if len(places) < len(scene.graph.nodes_geometry):
+        raise LoadError("its nodes do not form a tree")
     order = {name: number for number, name in enumerate(scene.geometry)}
-    for name, matrix in sorted(_places(scene.graph), key=lambda place: order[place[0]]):
+    for name, matrix in sorted(places, key=lambda place: order[place[0]]):
         geometry = scene.geometry[name]
-        if isinstance(geometry, trimesh.Trimesh):
-            yield Part(np.asarray(geometry.vertices), np.asarray(geometry.faces), matrix)
+        yield Part(np.asarray(geometry.vertices), np.asarray(geometry.faces), matrix)
 
 
 def _places(graph: Any) -> Iterator[tuple[str, FloatArray]]:
-    """Name of the geometry of each node and its map into the scene.
+    """Name of the geometry of each node, and its map into the scene.
 
     One walk down the tree: asking trimesh node by node takes quadratic time in deep trees.
     """
-    forest = graph.transforms
+    forest, children = graph.transforms, graph.transforms.children
     waiting = [(graph.base_frame, np.eye(4))]
     while waiting:
         node, matrix = waiting.pop()
         if "geometry" in forest.node_data[node]:
             yield forest.node_data[node]["geometry"], matrix
-        for child in forest.children.get(node, []):
+        for child in children.get(node, []):
             local = forest.edge_data[node, child].get("matrix", np.eye(4))
             waiting.append((child, matrix @ local))

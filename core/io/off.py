@@ -81,8 +81,10 @@ def _equal_faces(words: list[bytes], width: int) -> Lists:
 
 def _binary(data: bytes, start: int, word: re.Match[bytes]) -> Polygons:
     """Read big-endian counts, positions with their extras, and faces with their colours."""
-    counts = np.frombuffer(data[start : start + 12], ">i4")
-    if len(counts) < 3 or counts.min() < 0:
+    if len(data) < start + 12:
+        raise LoadError("the file is cut short: it ends before its counts")
+    counts = np.frombuffer(data, ">i4", 3, start)
+    if counts.min() < 0:
         raise LoadError("it does not say how many vertices and faces it has")
     extras = 2 * bool(word[1]) + 4 * bool(word[2]) + 3 * bool(word[3])
     columns = tuple(Property(f"{i}", np.dtype(">f4")) for i in range(3 + extras))

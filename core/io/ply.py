@@ -44,7 +44,7 @@ def read_ply(path: Path) -> Polygons:
         raise LoadError("its header declares no vertices")
     vertices = np.stack([axis.items.astype(np.float64) for axis in tables["vertex"]], axis=1)
     faces = Lists.chain(tables.get("face", []))
-    if "tristrips" not in tables:
+    if not tables.get("tristrips"):
         return Polygons(vertices, faces)
     triangles, change = cut_strips(_separate(tables["tristrips"][0]))
     return Polygons(vertices, Lists.chain([faces, triangles]), (change,))
@@ -71,9 +71,9 @@ def _elements(lines: Sequence[Sequence[str]], order: str) -> tuple[Element, ...]
                 pass
             case ["element", name, rows]:
                 elements.append(Element(name, _row_count(rows), ()))
-            case ["property", *words] if elements:
+            case ["property", _, *_] if elements:
                 last = elements.pop()
-                properties = (*last.properties, _property(words, order))
+                properties = (*last.properties, _property(line[1:], order))
                 elements.append(Element(last.name, last.rows, properties))
             case _:
                 raise LoadError(f"its header has a line that is not PLY: {' '.join(line)[:60]!r}")

@@ -115,7 +115,7 @@ def read_mesh(path: str | os.PathLike[str]) -> LoadedMesh:
         raise LoadError(f"{name}: needs more memory than there is.") from error
     except Exception as error:
         # Readers of others raise whatever they like on a broken file.
-        raise LoadError(f"{name}: cannot be understood ({_one_line(error)}).") from error
+        raise LoadError(f"{name}: is not well-formed ({_one_line(error)}).") from error
     return LoadedMesh(name, mesh, report)
 
 
@@ -133,4 +133,5 @@ def _check_file(file: Path) -> None:
 
 
 def _one_line(error: Exception) -> str:
-    return (" ".join(str(error).split()) or type(error).__name__)[:160]
+    text = f"{error} is missing or unknown" if isinstance(error, KeyError) else str(error)
+    return " ".join(text.split())[:160] or "its parts do not fit together"

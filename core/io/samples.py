@@ -53,8 +53,8 @@ def _title(name: str) -> str:
     return _TITLES.get(name, name.replace("_", " ").capitalize())
 
 
-def load_sample(name: str) -> TriangleMesh:
-    """Read a bundled model.
+def sample_path(name: str) -> Path:
+    """Return the file of a bundled model.
 
     Parameters
     ----------
@@ -63,8 +63,8 @@ def load_sample(name: str) -> TriangleMesh:
 
     Returns
     -------
-    TriangleMesh
-        The model.
+    Path
+        Its file.
 
     Raises
     ------
@@ -75,4 +75,15 @@ def load_sample(name: str) -> TriangleMesh:
     if name not in samples:
         allowed = ", ".join(samples) or "none"
         raise LoadError(f"{name} is not a bundled model; allowed: {allowed}.")
-    return load_mesh(samples[name].path)
+    return samples[name].path
+
+
+def load_sample(name: str) -> TriangleMesh:
+    """Read a bundled model, as :func:`load_mesh` does with its file.
+
+    Raises
+    ------
+    LoadError
+        If there is no such model; lists those there are.
+    """
+    return load_mesh(sample_path(name))

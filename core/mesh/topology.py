@@ -128,7 +128,8 @@ class Topology:
     @cached_property
     def nonmanifold_edges(self) -> BoolArray:
         """Mask of the edges with more than two faces, (e,)."""
-        return self.edge_corners.lengths > 2
+        mask: BoolArray = self.edge_corners.lengths > 2
+        return mask
 
     @cached_property
     def pinched_vertices(self) -> BoolArray:

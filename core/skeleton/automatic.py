@@ -114,7 +114,8 @@ def automatic_resolution(
 def _long_branches(graph: ReebGraph, share: float) -> IntArray:
     """Arcs to a minimum or a maximum that are longer than `share`, (b, 2)."""
     is_end = (graph.down_degrees + graph.up_degrees) == 1
-    return graph.arcs[is_end[graph.arcs].any(axis=1) & (graph.lengths > share)]
+    arcs: IntArray = graph.arcs[is_end[graph.arcs].any(axis=1) & (graph.lengths > share)]
+    return arcs
 
 
 def _band_loops(graph: ReebGraph, bands: IntArray) -> int:

@@ -10,8 +10,9 @@ from core.fields.centred import surface_vertices
 from core.mesh import MeshError, TriangleMesh
 from core.mesh.geometry import face_areas
 from core.parameters import ParameterError
-from core.skeleton.bands import NO_FACES, band_components, distinct_pairs, face_pieces
+from core.skeleton.bands import NO_FACES, band_components, distinct_pairs
 from core.skeleton.cut import cut_pieces
+from core.skeleton.elements import face_pieces
 from core.skeleton.graph import ROOT_BAND, Bands, Pieces, SkeletalGraph, label_components
 from core.skeleton.levels import Spacing, band_levels, vertex_bands
 from core.skeleton.slices import node_moments
@@ -163,9 +164,7 @@ def _exact_graph(mesh: TriangleMesh, field: ScalarField, levels: FloatArray) -> 
     bands = vertex_bands(field.values, levels)
     sides = mesh.topology.face_edges
     found = band_components(bands, mesh.edges, mesh.faces, sides, surface_vertices(mesh))
-    starts, members = face_pieces(
-        bands, mesh.edges, mesh.faces, sides, found.starts, found.nodes
-    )
+    starts, members = face_pieces(bands, mesh.edges, mesh.faces, sides, found.starts, found.nodes)
     pieces = Pieces(starts, members, found.nodes[: len(bands)].copy(), levels.copy())
     sums = node_moments(
         mesh.vertices, mesh.faces, field.values, bands, levels, starts, members, len(found.bands)
@@ -179,8 +178,10 @@ def _centroids(
     mesh: TriangleMesh, field: ScalarField, sums: FloatArray, pieces: Pieces
 ) -> FloatArray:
     has_area = sums[:, 0] > 0
-    nodes = np.divide(sums[:, 1:], sums[:, :1], out=np.zeros((len(sums), 3)), where=has_area[:, None])
-    # A peak exactly on a level and collapsed faces have no area: their corners' mean is all there is.
+    nodes = np.divide(
+        sums[:, 1:], sums[:, :1], out=np.zeros((len(sums), 3)), where=has_area[:, None]
+    )
+    # Peaks exactly on a level and collapsed faces have no area; the mean of the corners is left.
     for node in np.flatnonzero(~has_area):
         nodes[node] = cut_pieces(mesh, field, pieces, pieces.nodes == node).points.mean(axis=0)
     return nodes
@@ -203,7 +204,7 @@ def _vertex_graph(mesh: TriangleMesh, field: ScalarField, levels: FloatArray) ->
         nodes=sums / np.bincount(member, minlength=count)[:, None],
         arcs=arcs,
         band=found.bands,
-        area=np.bincount(corners, np.repeat(face_areas(mesh) / 3, 3), count),
+        area=np.bincount(corners, np.repeat(face_areas(mesh) / 3, 3), count).astype(np.float64),
         component=label_components(count, arcs),
         pieces=Pieces(
             np.arange(0, len(corners) + 1, 3, dtype=np.int32), corners, found.nodes, levels.copy()
@@ -218,7 +219,7 @@ def _with_root(mesh: TriangleMesh, parts: _Parts) -> _Parts:
     centre = mesh.vertices[surface_vertices(mesh)].mean(axis=0)
     return parts._replace(
         nodes=np.vstack([parts.nodes, centre]),
-        arcs=np.vstack([spokes, parts.arcs]),
+        arcs=np.vstack([parts.arcs, spokes]),
         band=np.append(parts.band, np.int32(ROOT_BAND)),
         area=np.append(parts.area, 0.0),
         component=np.append(parts.component, np.int32(ROOT_BAND)),

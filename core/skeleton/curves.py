@@ -34,7 +34,7 @@ class LevelCurves:
     def is_closed(self) -> BoolArray:
         """Whether each curve ends where it begins, (c,)."""
         ends = self.points[self.starts[1:] - 1]
-        closed: BoolArray = np.equal(self.points[self.starts[:-1]], ends).all(axis=1)
+        closed: BoolArray = np.all(self.points[self.starts[:-1]] == ends, axis=1)
         return closed
 
 

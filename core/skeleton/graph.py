@@ -60,7 +60,8 @@ class SkeletalGraph:
         Node positions in model units: the area-weighted centroid of the component, with
         ``bands="vertices"`` the mean of its vertices. Ordered by band; the root comes last.
     arcs : (a, 2) int32 ndarray
-        Node pairs, the node of the lower band first; no pair occurs twice.
+        Node pairs in ascending order, the node of the lower band first; no pair occurs twice.
+        The arcs of the root come last, each with the root first.
     band : (k,) int32 ndarray
         Band of each node, counted from 0; −1 for the root.
     area : (k,) float64 ndarray

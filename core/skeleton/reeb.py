@@ -110,9 +110,7 @@ class ReebGraph:
         kept = np.unique(arcs)
         number = np.zeros(len(self.nodes), np.int32)
         number[kept] = np.arange(len(kept), dtype=np.int32)
-        return _frozen_graph(
-            self.vertices[kept], self.nodes[kept], self.values[kept], number[arcs]
-        )
+        return _frozen_graph(self.vertices[kept], self.nodes[kept], self.values[kept], number[arcs])
 
     def to_networkx(self) -> Any:
         """Return the graph as a ``networkx.MultiGraph``.
@@ -176,9 +174,7 @@ def reeb_graph(mesh: TriangleMesh, field: ScalarField) -> ReebGraph:
     vertices = vertices[np.argsort(ranks[vertices])]
     number = np.zeros(len(mesh.vertices), np.int32)
     number[vertices] = np.arange(len(vertices), dtype=np.int32)
-    return _frozen_graph(
-        vertices, mesh.vertices[vertices], field.values[vertices], number[ends]
-    )
+    return _frozen_graph(vertices, mesh.vertices[vertices], field.values[vertices], number[ends])
 
 
 def _frozen_graph(

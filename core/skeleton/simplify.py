@@ -137,9 +137,7 @@ class _Net:
                 heapq.heappush(heap, (found[0], top))
 
 
-def _walk_back(
-    came: dict[int, tuple[int, int, int]], node: int, top: int
-) -> tuple[list[int], int]:
+def _walk_back(came: dict[int, tuple[int, int, int]], node: int, top: int) -> tuple[list[int], int]:
     """Arcs from a node back to the top, and the lowest node on the way."""
     arcs, bottom = [], node
     while node != top:

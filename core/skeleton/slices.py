@@ -24,9 +24,7 @@ def ascending_corners(values: FloatArray, faces: IntArray, t: int) -> tuple[int,
 
 
 @kernel
-def _on_short_edges(
-    low: float, middle: float, high: float, level: float
-) -> tuple[float, float]:
+def _on_short_edges(low: float, middle: float, high: float, level: float) -> tuple[float, float]:
     if level <= middle:
         return (level - low) / (middle - low), 0.0
     share = (level - middle) / (high - middle)
@@ -90,7 +88,8 @@ def _triangle_area(vertices: FloatArray, i: int, j: int, k: int) -> float:
         vertices[k, 2] - vertices[i, 2],
     )
     x, y, z = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
-    return np.sqrt(x * x + y * y + z * z) / 2
+    area: float = np.sqrt(x * x + y * y + z * z) / 2
+    return area
 
 
 @kernel

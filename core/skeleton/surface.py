@@ -1,18 +1,12 @@
-"""What the topology of a surface says about the loops that its graph can have.
-
-The components of the mesh are taken apart into *sheets*: faces connected across edges with two
-faces. Where a vertex joins several fans of faces it is split, so that a sheet is a surface in
-the strict sense, with a genus and a number of boundary loops.
-"""
+"""What the topology of a surface says about the loops that its graph can have."""
 
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
-from core.arrays import BoolArray, IntArray
+from core.arrays import BoolArray
 from core.mesh import TriangleMesh
+from core.skeleton.sheets import Sheet, SplitSurface, split_surface
 
 
 @dataclass(frozen=True)
@@ -35,41 +29,6 @@ class ComponentSurface:
     genus: int | None
     bound: int
     reason: str
-
-
-@dataclass(frozen=True)
-class _Sheet:
-    """A surface of one piece: its Euler characteristic, boundary loops and orientability."""
-
-    component: int
-    euler: int
-    boundaries: int
-    is_orientable: bool
-
-    @property
-    def genus(self) -> int:
-        """Number of handles; for a sheet that cannot be oriented, of crosscaps."""
-        missing = 2 - self.euler - self.boundaries
-        return missing // 2 if self.is_orientable else missing
-
-    @property
-    def bound(self) -> int:
-        """Bound of Cole-McLaughlin and others on the loops of a Reeb graph."""
-        if self.boundaries:
-            return 1 - self.euler
-        return self.genus if self.is_orientable else self.genus // 2
-
-    @property
-    def reason(self) -> str:
-        if not self.is_orientable:
-            kind = f"not orientable, {self.genus} crosscaps"
-            if not self.boundaries:
-                return f"{kind}: at most half the crosscaps"
-            return f"{kind}, {self.boundaries} boundary loops: at most crosscaps + boundaries − 1"
-        if not self.boundaries:
-            return f"closed, orientable, genus {self.genus}: at most the genus"
-        kind = f"orientable, genus {self.genus}, {self.boundaries} boundary loops"
-        return f"{kind}: at most 2·genus + boundaries − 1"
 
 
 def component_surfaces(mesh: TriangleMesh) -> tuple[ComponentSurface, ...]:
@@ -105,10 +64,66 @@ def component_surfaces(mesh: TriangleMesh) -> tuple[ComponentSurface, ...]:
     2-manifolds", Discrete & Computational Geometry 32, 2004.
     """
     labels = mesh.topology.vertex_components
-    faces = labels[mesh.faces[:, 0]] if len(mesh.faces) else np.zeros(0, np.int32)
-    sheet_of, sheets = _sheets(mesh)
+    split = split_surface(mesh)
+    on_surface = labels[mesh.topology.vertex_faces.lengths > 0]
+    vertex_counts = np.bincount(on_surface, minlength=mesh.topology.component_count)
     branching = set(labels[mesh.edges[mesh.topology.nonmanifold_edges, 0]].tolist())
-    by_component: dict[int, list[_Sheet]] = {}
-    for sheet in sheets:
-        by_component.setdefault(sheet.component, []).append(sheet)
-    ...
+    sheets: dict[int, list[Sheet]] = {}
+    for sheet in split.sheets:
+        sheets.setdefault(sheet.component, []).append(sheet)
+    return tuple(
+        _by_betti_number(mesh, component, split)
+        if component in branching
+        else _by_sheets(component, sheets[component], int(vertex_counts[component]))
+        for component in sorted(sheets)
+    )
+
+
+def _by_sheets(component: int, sheets: list[Sheet], vertex_count: int) -> ComponentSurface:
+    bound = sum(sheet.bound for sheet in sheets)
+    pinches = sum(sheet.fans for sheet in sheets) - vertex_count
+    if pinches == 0:
+        (sheet,) = sheets
+        closed = sheet.is_orientable and not sheet.boundaries
+        return ComponentSurface(component, sheet.genus if closed else None, bound, sheet.reason)
+    cycles = pinches - len(sheets) + 1
+    reason = f"pinched: at most {bound} of its sheets + {cycles} from sheet to sheet"
+    return ComponentSurface(component, None, bound + cycles, reason)
+
+
+def _by_betti_number(mesh: TriangleMesh, component: int, split: SplitSurface) -> ComponentSurface:
+    labels = mesh.topology.vertex_components
+    is_here = np.array([sheet.component == component for sheet in split.sheets])
+    euler = (
+        np.count_nonzero(labels == component)
+        - np.count_nonzero(labels[mesh.edges[:, 0]] == component)
+        + np.count_nonzero(is_here[split.sheet_of_face])
+    )
+    bound = int(1 - euler + _second_betti_number(mesh, split, is_here))
+    reason = f"edges with more than two faces: at most the first Betti number, {bound}"
+    return ComponentSurface(component, None, bound, reason)
+
+
+def _second_betti_number(mesh: TriangleMesh, split: SplitSurface, is_here: BoolArray) -> int:
+    """Independent closed surfaces, over the field of two elements, in one component.
+
+    Such a surface is a set of sheets without boundary that meets every edge an even number of
+    times. Each row of the equations is a set of sheets, written as the bits of a number.
+    """
+    closed = {
+        number
+        for number, sheet in enumerate(split.sheets)
+        if is_here[number] and not sheet.boundaries
+    }
+    rank, pivots = 0, dict[int, int]()
+    starts, corners = mesh.topology.edge_corners
+    for edge in np.flatnonzero(mesh.topology.nonmanifold_edges):
+        row = 0
+        for sheet in split.sheet_of_face[corners[starts[edge] : starts[edge + 1]] // 3].tolist():
+            row ^= (sheet in closed) << sheet
+        while row and row.bit_length() in pivots:
+            row ^= pivots[row.bit_length()]
+        if row:
+            pivots[row.bit_length()] = row
+            rank += 1
+    return len(closed) - rank

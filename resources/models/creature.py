@@ -37,9 +37,9 @@ def creature() -> Mesh:
 
 def detail(points: Array) -> Array:
     """Weight of a place: the edges of the head and hooves are about 0.7 times as long."""
-    near_head = bump(HEAD + [0.08, 0.03, 0.05], 0.55)(points)
+    near_head = bump(HEAD + np.array([0.08, 0.03, 0.05]), 0.55)(points)
     near_ground = np.clip(1 - points[:, 2] / 0.2, 0, 1)
-    return 1 + 4 * np.maximum(near_head, near_ground)
+    return 1 + 6 * np.maximum(near_head, near_ground)
 
 
 def body() -> Field:
@@ -100,7 +100,7 @@ def tail() -> Field:
 def head() -> Field:
     """The head in its own frame: looks along +x, the middle of the skull at the origin."""
     bare = skull()
-    face = union(0.02, cut(0.022, bare, mouth(bare), nostrils()), eyelids())
+    face = union(0.02, cut(0.03, bare, mouth(bare), nostrils()), eyelids())
     seeing = union(0.010, face, eyes())
     ears = mirrored(placed(ear(), turned(18, 0, 6), [-0.03, 0.125, 0.045]))
     horned = union(0.02, union(0.03, seeing, ears), mirrored(horn()))
@@ -122,7 +122,9 @@ def mouth(face: Field) -> Field:
     """A groove along the face, from one corner of the smile to the other."""
     left = np.array([[0.12, 0.12, -0.055], [0.19, 0.11, -0.098], [0.265, 0.06, -0.11]])
     path = np.concatenate([left, [[0.284, 0, -0.11]], left[::-1] * [1, -1, 1]])
-    return tube(project(face, path), [0.011, 0.011, 0.013, 0.014, 0.013, 0.011, 0.011])
+    # A little above the face, so that the groove is shallow and its edges are soft.
+    above = project(raised(face, lambda points: np.full(len(points), 0.005)), path)
+    return tube(above, [0.013, 0.014, 0.016, 0.017, 0.016, 0.014, 0.013])
 
 
 def nostrils() -> Field:
@@ -132,22 +134,22 @@ def nostrils() -> Field:
 
 def eyes() -> Field:
     """Two balls with a hollow for the pupil."""
-    gaze = np.array([0.84, 0.52, 0.13])
+    gaze = np.array([0.77, 0.53, 0.35])
     pupil = ellipsoid(EYE + 0.088 * gaze, [0.048] * 3)
     return mirrored(cut(0.008, ellipsoid(EYE, [0.050, 0.048, 0.052]), pupil))
 
 
 def eyelids() -> Field:
     """Upper lids: shells around the eyes, open to the front and below."""
-    up = np.array([-0.48, -0.36, 0.80])
-    shell = ellipsoid(EYE, [0.064, 0.061, 0.066])
-    return mirrored(cut(0.018, shell, half_space(EYE + 0.020 * up, up)))
+    up = np.array([-0.62, -0.48, 0.62])
+    shell = ellipsoid(EYE, [0.063, 0.060, 0.065])
+    return mirrored(cut(0.018, shell, half_space(EYE + 0.012 * up, up)))
 
 
 def ear() -> Field:
     """A leaf along +y, hollow on its front."""
     middle = [[0, 0, 0], [0, 0.06, 0.012], [0, 0.13, 0.01], [0, 0.19, -0.012]]
-    leaf = tube(middle, [0.030, 0.056, 0.056, 0.022], pointed=True)
+    leaf = tube(middle, [0.030, 0.057, 0.056, 0.018], pointed=True)
     hollow = tube(
         [[0.055, 0.05, 0.01], [0.055, 0.10, 0.012], [0.06, 0.165, 0]], [0.016, 0.034, 0.014]
     )
@@ -157,7 +159,7 @@ def ear() -> Field:
 def horn() -> Field:
     """A ringed horn, bent outwards and back."""
     along = np.linspace(0, 1, 41)
-    rings = 0.005 * np.cos(2 * np.pi * 5 * along) * (1 - along)
+    rings = 0.006 * np.cos(2 * np.pi * 6 * along) * (1 - along)
     radii = np.interp(along, [0, 0.5, 1], [0.050, 0.040, 0.018]) + rings
     path = [[-0.02, 0.06, 0.08], [-0.035, 0.095, 0.18], [-0.075, 0.122, 0.245]]
     return tube([*path, [-0.125, 0.132, 0.275]], radii, pointed=True)

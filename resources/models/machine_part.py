@@ -5,6 +5,8 @@ boss on either side, and two ribs. It is symmetric in x and y; the bore runs alo
 lies on the planes, cylinders and cones of the drawing, those on an edge on both of its surfaces.
 """
 
+from itertools import pairwise
+
 import numpy as np
 
 from resources.models.panels import (
@@ -68,7 +70,8 @@ def deck() -> Panel:
 def rim(radius: float, z: float) -> Array:
     """Outline of the base where its corners have the given radius."""
     quarters = [
-        arc(corner(x, y), QUARTER, radius, z, SPACING) for x, y in ((1, 1), (-1, 1), (-1, -1), (1, -1))
+        arc(corner(x, y), QUARTER, radius, z, SPACING)
+        for x, y in ((1, 1), (-1, 1), (-1, -1), (1, -1))
     ]
     sides = [
         line(this[-1], following[0], SPACING)
@@ -98,7 +101,7 @@ def base_end() -> list[Panel]:
     y = WIDTH - CORNER
     return [
         flat(polygon((x, -y, z), (x, y, z), (x_next, y, z_next), (x_next, -y, z_next)))
-        for (x, z), (x_next, z_next) in zip(profile, profile[1:], strict=False)
+        for (x, z), (x_next, z_next) in pairwise(profile)
     ]
 
 
@@ -108,7 +111,7 @@ def base_side() -> list[Panel]:
     x = LENGTH - CORNER
     return [
         flat(polygon((-x, y, z), (x, y, z), (x, y_next, z_next), (-x, y_next, z_next)))
-        for (y, z), (y_next, z_next) in zip(profile, profile[1:], strict=False)
+        for (y, z), (y_next, z_next) in pairwise(profile)
     ]
 
 
@@ -182,10 +185,15 @@ def rib() -> list[Panel]:
     """Sloping edge and both sides of the rib on the front."""
     right = np.array([(RIB, -SIDE, RIB_TOP), (RIB, -RIB_END, HEIGHT), (RIB, -SIDE, HEIGHT)])
     left = right * [-1, 1, 1]
-    return [flat(polygon(right[0], right[1], left[1], left[0])), *mirror([flat(polygon(*right))], 0)]
+    return [
+        flat(polygon(right[0], right[1], left[1], left[0])),
+        *mirror([flat(polygon(*right))], 0),
+    ]
 
 
-def halves(origin: tuple[float, ...], along: tuple[float, ...], zero: tuple[float, ...]) -> list[Frame]:
+def halves(
+    origin: tuple[float, ...], along: tuple[float, ...], zero: tuple[float, ...]
+) -> list[Frame]:
     """The two frames whose half turns make a whole one."""
     return [Frame(origin, along, side * np.asarray(zero, float)) for side in (1, -1)]
 
@@ -217,7 +225,7 @@ def flat(*borders: Array) -> Panel:
 
 def lines(*corners: Array | tuple[float, ...]) -> list[Array]:
     """Straight lines from corner to corner."""
-    return [line(a, b, SPACING) for a, b in zip(corners, corners[1:], strict=False)]
+    return [line(a, b, SPACING) for a, b in pairwise(corners)]
 
 
 def polygon(*corners: Array | tuple[float, ...]) -> Array:

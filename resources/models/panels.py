@@ -105,7 +105,9 @@ class Cone(NamedTuple):
         radius = np.hypot(*flat.T) * self._shrink()
         angle = np.arctan2(flat[:, 1], flat[:, 0]) / self._shrink()
         (start, height), (end, top) = self.low, self.high
-        return self.frame.at(angle, radius, height + (radius - start) / (end - start) * (top - height))
+        return self.frame.at(
+            angle, radius, height + (radius - start) / (end - start) * (top - height)
+        )
 
 
 def line(start: ArrayLike, end: ArrayLike, spacing: float) -> Array:
@@ -206,7 +208,9 @@ def weld(panels: list[Panel]) -> Mesh:
     """Join panels along their common border points; all faces wound outwards."""
     points = np.concatenate([points for points, _ in panels])
     firsts = np.cumsum([0] + [len(points) for points, _ in panels])
-    faces = np.concatenate([faces + first for (_, faces), first in zip(panels, firsts, strict=False)])
+    faces = np.concatenate(
+        [faces + first for (_, faces), first in zip(panels, firsts, strict=False)]
+    )
     _, kept, numbers = np.unique(
         np.round(points / 1e-7).astype(np.int64), axis=0, return_index=True, return_inverse=True
     )

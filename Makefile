@@ -1,0 +1,35 @@
+# make run    set up what is missing and start Burnish on a bundled model
+# make test   set up what is missing and run all checks and tests
+# make bench  print the benchmarks as one table
+# make models make the bundled models anew
+
+BIN := .venv/bin
+MODEL ?= sample:creature
+
+.PHONY: run test check bench models clean
+
+run:
+	@sh .ci/setup run
+	@$(BIN)/burnish $(MODEL)
+
+test: check
+	$(BIN)/pytest
+
+check:
+	@sh .ci/setup test
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+
+bench:
+	@sh .ci/setup test
+	$(BIN)/pytest tests/benchmarks --benchmark-only --benchmark-disable-gc --override-ini addopts=--import-mode=importlib
+
+models:
+	@sh .ci/setup run
+	$(BIN)/python -m resources.models.generate
+
+clean:
+	rm -rf .venv out build .pytest_cache .mypy_cache .ruff_cache .import_linter_cache .hypothesis .benchmarks
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +
