@@ -1,6 +1,5 @@
 """Frame of a plot: ground, scales, and a legend beside the axes at any size of the figure."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, cast
 
@@ -39,44 +38,81 @@ class Entry:
     bold: bool = False
 
 
-def dress(axes: Axes, label: str, theme: Theme) -> None:
-    """Clear, colour and label axes, and let them fill their figure.
+@dataclass(frozen=True)
+class Frame:
+    """All of a plot but its curves: equal frames look the same.
+
+    Attributes
+    ----------
+    label : str
+        What the values are.
+    last : int
+        Last iteration.
+    low, high : float
+        Smallest and largest value.
+    log : bool
+        Whether the values are on a logarithmic scale.
+    entries : tuple of Entry
+        The legend.
+    theme : Theme
+        Colours of ground and ink.
+    """
+
+    label: str
+    last: int
+    low: float
+    high: float
+    log: bool
+    entries: tuple[Entry, ...]
+    theme: Theme
+
+
+def draw_frame(axes: Axes, frame: Frame) -> None:
+    """Clear axes, frame them, and let them fill their figure.
 
     The ticks are kept: making them anew takes longer than drawing the plot.
     """
     for artist in [*axes.lines, *axes.texts]:
         artist.remove()
+    _dress(axes, frame.theme)
+    _label(axes, frame)
+    _scale(axes, frame)
+    _add_legend(axes, frame)
+
+
+def _dress(axes: Axes, theme: Theme) -> None:
     axes.figure.set_facecolor(theme.panel)
     axes.set_facecolor(theme.panel)
     axes.set_axes_locator(_fill_figure)
     axes.grid(axis="y", color=theme.faint, lw=0.6)
     axes.set_axisbelow(True)
     axes.tick_params(colors=theme.ink, labelsize=FONT_SIZE, length=3, color=theme.faint)
-    axes.tick_params(which="minor", length=0)
     for side, spine in axes.spines.items():
         spine.set_visible(side in {"left", "bottom"})
         spine.set_color(theme.faint)
-    # Labels with a place of their own: matplotlib would lay out all ticks to find one for them.
-    words: dict[str, Any] = {"fontsize": FONT_SIZE, "color": theme.ink}
-    axes.set_title(label, loc="left", y=1.0, pad=6, **words)
+
+
+def _label(axes: Axes, frame: Frame) -> None:
+    """Label the axes, in places of our own: matplotlib would lay out all ticks to find some."""
+    words: dict[str, Any] = {"fontsize": FONT_SIZE, "color": frame.theme.ink}
+    axes.set_title(frame.label, loc="left", y=1.0, pad=6, **words)
     axes.set_xlabel("iteration", **words)
-    below = _inches_from(axes, 0, 0)
-    axes.xaxis.set_label_coords(0.5, -0.23, blended_transform_factory(axes.transAxes, below))
+    below = blended_transform_factory(axes.transAxes, _inches_from(axes, 0, 0))
+    axes.xaxis.set_label_coords(0.5, -0.23, below)
 
 
-def scale(axes: Axes, last: int, low: float, high: float, *, log: bool) -> None:
-    """Show the iterations 0 to `last` and the errors `low` to `high`."""
-    axes.set_xlim(-0.012 * last, 1.012 * last)
+def _scale(axes: Axes, frame: Frame) -> None:
+    axes.set_xlim(-0.012 * frame.last, 1.012 * frame.last)
     axes.xaxis.set_major_locator(MaxNLocator("auto", integer=True, steps=[1, 2, 5, 10]))
-    if log:
+    if frame.log:
         axes.set_yscale("log", nonpositive="mask")
-        axes.yaxis.set_major_locator(_log_locator(high / low))
+        axes.yaxis.set_major_locator(_log_locator(frame.high / frame.low))
         axes.yaxis.set_minor_locator(NullLocator())
     else:
         axes.set_yscale("linear")
         axes.yaxis.set_major_locator(MaxNLocator("auto", steps=[1, 2, 5, 10]))
     axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-    axes.set_ylim(low, high)
+    axes.set_ylim(frame.low, frame.high)
 
 
 def _log_locator(ratio: float) -> Locator:
@@ -86,13 +122,13 @@ def _log_locator(ratio: float) -> Locator:
     return LogLocator(subs=(1, 2, 5) if ratio < 200 else (1,), numticks=6)
 
 
-def add_legend(axes: Axes, entries: Sequence[Entry], theme: Theme) -> None:
+def _add_legend(axes: Axes, frame: Frame) -> None:
     """List the entries right of the axes, in inches from their top right corner.
 
     Matplotlib's own legend takes longer to draw than all the rest of the plot.
     """
     corner = _inches_from(axes, 1, 1)
-    for slot, entry in enumerate(entries):
+    for slot, entry in enumerate(frame.entries):
         y = 0.5 * _TOP - slot * _PITCH
         shared: dict[str, Any] = {"transform": corner, "clip_on": False, "gid": entry.gid}
         sample = Line2D([2 * _GAP, 2 * _GAP + _SAMPLE], [y, y], lw=entry.width, **shared)
@@ -100,7 +136,9 @@ def add_legend(axes: Axes, entries: Sequence[Entry], theme: Theme) -> None:
         sample.set_linestyle((0, (3, 2)) if entry.dashed else "-")
         axes.add_line(sample)
         label = _LegendLabel(3 * _GAP + _SAMPLE, y, entry.label, va="center_baseline", **shared)
-        label.set(color=theme.ink, fontsize=FONT_SIZE, fontweight="bold" if entry.bold else None)
+        label.set(
+            color=frame.theme.ink, fontsize=FONT_SIZE, fontweight="bold" if entry.bold else None
+        )
         axes.add_artist(label)
 
 

@@ -12,7 +12,7 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from app.export.frame import FONT_SIZE, Entry, add_legend, dress, scale
+from app.export.frame import FONT_SIZE, Entry
 from app.export.outcomes import Outcome
 from app.scene.colours import LIGHT, Theme
 from core.io import SaveError
@@ -62,8 +62,7 @@ def error_curves(outcomes: Sequence[Outcome], metric: str) -> tuple[ErrorCurve, 
     )
 
 
-def draw_errors(
-    axes: Axes,
+def error_frame(
     curves: Sequence[ErrorCurve],
     noisy_value: float | None,
     metric: MetricSpec,
@@ -71,39 +70,35 @@ def draw_errors(
     *,
     log: bool = False,
     selected: str | None = None,
-) -> None:
-    """Draw errors against the iteration, in place of what the axes show.
+) -> Frame:
+    """Return the frame that fits some curves; parameters as for :func:`draw_errors`."""
+    low, high = _error_range(curves, noisy_value, log=log)
+    return Frame(
+        label=f"{metric.title} ({metric.unit})",
+        last=max([len(curve.values) - 1 for curve in curves], default=0) or 1,
+        low=low,
+        high=high,
+        log=low > 0,
+        entries=_entries(curves, noisy_value, theme, selected),
+        theme=theme,
+    )
 
-    The legend stands right of the axes, which make room for it whatever the size of the figure.
-    Every artist of a method says so to :func:`method_of`.
 
-    Parameters
-    ----------
-    axes : matplotlib Axes
-        The only ones of their figure, which they fill.
-    curves : sequence of ErrorCurve
-        The lines, in the order of the legend.
-    noisy_value : float or None
-        Error of the noisy input, a dashed line; None leaves it out.
-    metric : MetricSpec
-        What the values are.
-    theme : Theme
-        Colours of ground and ink.
-    log : bool
-        Logarithmic errors, as far as there are positive ones.
-    selected : str or None
-        Method to draw with a heavy line.
-    """
-    noisy = () if noisy_value is None else (noisy_value,)
-    low, high = _error_range(curves, noisy, log=log)
-    dress(axes, f"{metric.title} ({metric.unit})", theme)
-    scale(axes, _last_iteration(curves), low, high, log=low > 0)
-    for value in noisy:
-        axes.axhline(value, color=theme.ink, lw=1.2, ls=(0, (4, 3)), alpha=0.8, gid="noisy")
+def draw_curves(
+    axes: Axes,
+    frame: Frame,
+    curves: Sequence[ErrorCurve],
+    noisy_value: float | None,
+    selected: str | None = None,
+) -> list[Artist]:
+    """Draw the curves into their frame and return what was drawn, the last on top."""
+    for value in () if noisy_value is None else (noisy_value,):
+        dashes = {"lw": 1.2, "ls": (0, (4, 3)), "alpha": 0.8, "gid": "noisy"}
+        axes.axhline(value, color=frame.theme.ink, **dashes)
     for curve in curves:
-        _draw_curve(axes, curve, theme, heavy=curve.method == selected)
-    _draw_divergence(axes, curves, theme, high)
-    add_legend(axes, _entries(curves, theme, selected, noisy=bool(noisy)), theme)
+        _draw_curve(axes, curve, frame, heavy=curve.method == selected)
+    _draw_divergence(axes, curves, frame)
+    legend = {entry.gid for entry in frame.entries}
 
 
 def method_of(artist: Artist) -> str | None:

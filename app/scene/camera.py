@@ -8,7 +8,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 from core.arrays import FloatArray
 
 PRESETS: dict[str, tuple[tuple[float, float, float], tuple[float, float, float]]] = {
-    "Oblique": ((-0.55, 0.4, 1.0), (0, 1, 0)),
+    "Oblique": ((0.55, 0.35, 1.0), (0, 1, 0)),
     "Front (+Z)": ((0, 0, 1), (0, 1, 0)),
     "Back (−Z)": ((0, 0, -1), (0, 1, 0)),
     "Right (+X)": ((1, 0, 0), (0, 1, 0)),

@@ -16,6 +16,7 @@ class ColourBar:
     def __init__(self) -> None:
         self._bar = vtkScalarBarActor()
         self._bar.SetOrientationToVertical()
+        self._bar.SetLookupTable(pv.LookupTable())
         self._bar.SetNumberOfLabels(_LABELS)
         self._bar.SetMaximumNumberOfColors(256)
         self._bar.UnconstrainedFontSizeOn()

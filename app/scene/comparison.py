@@ -28,7 +28,7 @@ def error_text(metric: MetricSpec, value: float) -> str:
 def end_panes(study: Study, comparison: Comparison, original: Points, noisy: Points) -> list[Pane]:
     """Panes of the original and of the noisy mesh, with their points already centred."""
     mesh, metric = comparison.original, METRICS[study.metric]
-    counts = f"{len(mesh.vertices):,} vertices, {len(mesh.faces):,} faces"
+    counts = f"{len(mesh.faces):,} faces"
     source = "from file" if study.noisy else f"σ = {study.noise.sigma:g} ℓ̄"
     caption = f"{source}   {error_text(metric, comparison.noisy_errors[metric.id])}"
     return [

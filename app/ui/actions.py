@@ -67,7 +67,7 @@ COMMANDS = (
     Command("link", "View", "&Link Cameras", "Move the cameras of all panes together", "L",
             "mdi6.link-variant", checkable=True),
     Command("enlarge", "View", "Enlarge &Pane", "Enlarge the selected pane, or bring all back",
-            "Space", divided=True),
+            "E", divided=True),
     Command("reset_view", "View", "&Whole Model", "Show the whole model again", "R"),
     Command("box_zoom", "View", "&Box Zoom", "Drag a rectangle to zoom into", "B",
             "mdi6.magnify-scan", checkable=True),

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QSettings, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QWidget
 
 from app.scene.colours import Theme
@@ -17,6 +18,8 @@ from app.ui.viewport import Viewport
 from core.smoothing import METHODS
 
 _REDRAW_MS = 30
+_BOTTOM_HEIGHT = 230
+_LEFT_WIDTH = 240
 _LAYOUT = "denoise_layout"
 
 
@@ -41,6 +44,7 @@ class DenoiseTab(QMainWindow):
         self._theme = theme
         self._scene = ComparisonScene(session)
         self._fresh_model = True
+        self._laid_out = False
         self._redraw_timer = QTimer(self, singleShot=True, interval=_REDRAW_MS)
         self._redraw_timer.timeout.connect(self._redraw)
         self._make_panels()
@@ -87,6 +91,7 @@ class DenoiseTab(QMainWindow):
         self.viewport = Viewport()
         self.setCentralWidget(self.viewport)
         self.model = ModelPanel(self.session)
+        self.model.setMinimumWidth(_LEFT_WIDTH)
         self.methods = MethodsPanel(self.session)
         self.plot = ErrorPlot(self.session)
         self.table = ResultsTable(self.session)
@@ -101,12 +106,6 @@ class DenoiseTab(QMainWindow):
             self._dock("Table", self.table, bottom),
         ]
         self.docks = docks
-        self.resizeDocks(docks[:2], [230, 310], Qt.Orientation.Horizontal)
-        self.resizeDocks(docks[2:], [520, 480], Qt.Orientation.Horizontal)
-        self.resizeDocks(docks[2:], [230, 230], Qt.Orientation.Vertical)
-        state = QSettings().value(_LAYOUT)
-        if isinstance(state, QByteArray):
-            self.restoreState(state)
 
     def _dock(self, title: str, widget: QWidget, area: Qt.DockWidgetArea) -> QDockWidget:
         dock = QDockWidget(title, self)
@@ -139,6 +138,25 @@ class DenoiseTab(QMainWindow):
         if self._fresh_model:
             self._fresh_model = False
             self.viewport.look_from("Oblique")
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        if not self._laid_out:
+            self._laid_out = True
+            # Docks take sizes only once the window has its own.
+            QTimer.singleShot(0, self, self._lay_out)
+
+    def _lay_out(self) -> None:
+        state = QSettings().value(_LAYOUT)
+        if isinstance(state, QByteArray) and self.restoreState(state):
+            return
+        model, methods, plot, table = self.docks
+        self.resizeDocks([model, methods], [250, 300], Qt.Orientation.Horizontal)
+        bottom = self.width() - methods.width()
+        self.resizeDocks(
+            [plot, table], [bottom * 55 // 100, bottom * 45 // 100], Qt.Orientation.Horizontal
+        )
+        self.resizeDocks([plot, table], [_BOTTOM_HEIGHT] * 2, Qt.Orientation.Vertical)
 
     def sizeHint(self) -> QSize:
         return QSize(1280, 760)

@@ -38,8 +38,8 @@ class ErrorPlot(QWidget):
         self._selected: str | None = None
         self._axes = Figure().add_subplot()
         self.canvas = FigureCanvasQTAgg(self._axes.figure)
-        self.metric = QComboBox()
-        self.log = QCheckBox("Log scale")
+        self.metric_box = QComboBox()
+        self.log_box = QCheckBox("Log scale")
         self._lay_out()
         self._redraw_soon = Coalesced(self._redraw, _REDRAW_MS, self)
         self._connect()
@@ -63,7 +63,7 @@ class ErrorPlot(QWidget):
         SaveError
             If the suffix is another.
         """
-        log = self.log.isChecked()
+        log = self.log_box.isChecked()
         save_error_plot(path, *self._content(), LIGHT, log=log, selected=self._selected)
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -78,16 +78,18 @@ class ErrorPlot(QWidget):
 
     def _lay_out(self) -> None:
         for id_, spec in METRICS.items():
-            self.metric.addItem(spec.title, id_)
+            self.metric_box.addItem(spec.title, id_)
             tip = f"{spec.summary}\n{spec.formula}\n{spec.reference}"
-            self.metric.setItemData(self.metric.count() - 1, tip, Qt.ItemDataRole.ToolTipRole)
-        self.metric.setAccessibleName("Metric of the plot")
-        self.log.setToolTip("Logarithmic errors: tells small errors apart beside large ones.")
+            self.metric_box.setItemData(
+                self.metric_box.count() - 1, tip, Qt.ItemDataRole.ToolTipRole
+            )
+        self.metric_box.setAccessibleName("Metric of the plot")
+        self.log_box.setToolTip("Logarithmic errors: tells small errors apart beside large ones.")
         row = QHBoxLayout()
         row.setContentsMargins(8, 4, 8, 4)
         row.setSpacing(12)
-        row.addWidget(self.metric)
-        row.addWidget(self.log)
+        row.addWidget(self.metric_box)
+        row.addWidget(self.log_box)
         row.addStretch()
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -96,8 +98,8 @@ class ErrorPlot(QWidget):
         layout.addWidget(self.canvas, 1)
 
     def _connect(self) -> None:
-        self.metric.activated.connect(self._choose_metric)
-        self.log.toggled.connect(self._redraw_soon.request)
+        self.metric_box.activated.connect(self._choose_metric)
+        self.log_box.toggled.connect(self._redraw_soon.request)
         self.canvas.mpl_connect("button_press_event", self._on_press)
         self.canvas.mpl_connect("motion_notify_event", self._on_motion)
         self._session.study_changed.connect(self._refresh)
@@ -105,14 +107,14 @@ class ErrorPlot(QWidget):
         self._session.run_changed.connect(self._redraw_soon.request)
 
     def _choose_metric(self, index: int) -> None:
-        study = self._session.study.model_copy(update={"metric": self.metric.itemData(index)})
+        study = self._session.study.model_copy(update={"metric": self.metric_box.itemData(index)})
         self._session.apply(study, "Metric of the plot")
 
     def _refresh(self, *_: object) -> None:
         metric = METRICS[self._session.study.metric]
-        with QSignalBlocker(self.metric):
-            self.metric.setCurrentIndex(self.metric.findData(metric.id))
-        self.metric.setToolTip(metric.summary)
+        with QSignalBlocker(self.metric_box):
+            self.metric_box.setCurrentIndex(self.metric_box.findData(metric.id))
+        self.metric_box.setToolTip(metric.summary)
         self._redraw_soon.request()
 
     def _content(self) -> tuple:
@@ -125,7 +127,7 @@ class ErrorPlot(QWidget):
     def _redraw(self) -> None:
         if not self.isVisible():
             return
-        log = self.log.isChecked()
+        log = self.log_box.isChecked()
         draw_errors(self._axes, *self._content(), self._theme, log=log, selected=self._selected)
         self.canvas.draw_idle()
 

@@ -3,7 +3,7 @@
 from typing import Literal
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QGuiApplication, QPalette
+from PySide6.QtGui import QColor, QGuiApplication, QPalette
 from PySide6.QtWidgets import QApplication
 
 from app.scene.colours import DARK, LIGHT, Theme
@@ -18,22 +18,54 @@ _SCHEMES = {
 
 _SHEET = """
 QToolTip { padding: 4px; }
-QDockWidget { titlebar-close-icon: none; font-weight: 600; }
+QDockWidget { font-weight: 600; }
 QDockWidget::title { padding: 5px 8px; }
 QToolBar { spacing: 2px; padding: 3px 6px; border: none; }
 QToolButton { padding: 3px 6px; }
 QStatusBar::item { border: none; }
 """
 
+_Role = QPalette.ColorRole
+# Window, base, alternate base, button, text, dim text, highlight, dividing line.
+_ROLES = {
+    False: ("#f2f4f6", "#ffffff", "#f5f7f9", "#f7f8fa", "#20262d", "#7d8894", "#0b6bcb", "#c9d0d8"),
+    True: ("#262b31", "#1e2227", "#2a3037", "#323941", "#e4e8ec", "#8b96a2", "#2f7fd1", "#454e58"),
+}
+
 
 def set_mode(mode: Mode) -> None:
     """Choose light, dark, or what the system says."""
     QApplication.setStyle("Fusion")
-    QGuiApplication.styleHints().setColorScheme(_SCHEMES[mode])
+    hints = QGuiApplication.styleHints()
+    hints.setColorScheme(_SCHEMES[mode])
+    # Not every platform follows the request, so the palette is set as well.
+    dark = mode == "dark" or (mode == "system" and hints.colorScheme() == Qt.ColorScheme.Dark)
+    QApplication.setPalette(_palette(dark=dark))
     QApplication.instance().setStyleSheet(_SHEET)
 
 
 def current_theme() -> Theme:
     """Theme of the panes and plots that goes with the widgets' palette."""
-    ground = QApplication.palette().color(QPalette.ColorRole.Window)
-    return DARK if ground.lightness() < 128 else LIGHT
+    return DARK if QApplication.palette().color(_Role.Window).lightness() < 128 else LIGHT
+
+
+def _palette(*, dark: bool) -> QPalette:
+    window, base, alternate, button, text, dim, highlight, line = map(QColor, _ROLES[dark])
+    palette = QPalette(button, window)
+    colours = {
+        _Role.Base: base,
+        _Role.AlternateBase: alternate,
+        _Role.ToolTipBase: base,
+        _Role.Highlight: highlight,
+        _Role.Accent: highlight,
+        _Role.Link: highlight,
+        _Role.Mid: line,
+        _Role.PlaceholderText: dim,
+        _Role.HighlightedText: QColor("#ffffff"),
+        **dict.fromkeys((_Role.WindowText, _Role.Text, _Role.ButtonText, _Role.ToolTipText), text),
+    }
+    for role, colour in colours.items():
+        palette.setColor(role, colour)
+    for role in (_Role.WindowText, _Role.Text, _Role.ButtonText):
+        palette.setColor(QPalette.ColorGroup.Disabled, role, dim)
+    return palette

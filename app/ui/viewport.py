@@ -12,28 +12,18 @@ from PySide6.QtCore import (
     QVariantAnimation,
     Signal,
 )
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QResizeEvent
+from PySide6.QtGui import QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import QRubberBand, QVBoxLayout, QWidget
-from pyvistaqt import QtInteractor
 from vtkmodules.vtkRenderingCore import vtkCellPicker
 
 from app.scene.camera import pan_and_dolly, point_on_focal_plane
 from app.scene.grid import GRID_SHAPE, PaneGrid
 from app.scene.panes import Look, Pane
+from app.ui.interactor import Interactor
 
 _CLICK_PIXELS = 4
 _FLY_MS = 180
 _FLY_FACTOR = 1.8
-
-
-class _Interactor(QtInteractor):
-    """PyVista's interactor without its own keys: the window's actions have them all."""
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        event.ignore()
-
-    def keyReleaseEvent(self, event: QKeyEvent) -> None:
-        event.ignore()
 
 
 class Viewport(QWidget):
@@ -50,11 +40,7 @@ class Viewport(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.interactor = _Interactor(
-            self, shape=GRID_SHAPE, border=False, multi_samples=0, auto_update=False
-        )
-        self.interactor.setAcceptDrops(False)
-        self.interactor.iren.clear_key_event_callbacks()
+        self.interactor = Interactor(self, GRID_SHAPE)
         self.interactor.installEventFilter(self)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -80,8 +66,7 @@ class Viewport(QWidget):
 
     def pixel_size(self) -> tuple[int, int]:
         """Size of the drawing area in device pixels."""
-        ratio = self.interactor.devicePixelRatioF()
-        return int(self.interactor.width() * ratio), int(self.interactor.height() * ratio)
+        return self.interactor.pixel_size()
 
     def look_from(self, preset: str) -> None:
         """Show the whole model from a preset direction."""

@@ -71,7 +71,7 @@ def _elements(lines: Sequence[Sequence[str]], order: str) -> tuple[Element, ...]
                 pass
             case ["element", name, rows]:
                 elements.append(Element(name, _row_count(rows), ()))
-            case ["property", _, *_] if elements:
+            case ["property", _, _, *_] if elements:
                 last = elements.pop()
                 properties = (*last.properties, _property(line[1:], order))
                 elements.append(Element(last.name, last.rows, properties))

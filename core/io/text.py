@@ -1,6 +1,6 @@
 """Numbers out of text files, a whole block of lines at a time."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,13 +29,16 @@ def integers(tokens: Sequence[bytes]) -> NDArray[np.int64]:
         raise LoadError(f"{_culprit(tokens, np.int64)} is not a whole number") from error
 
 
-def _culprit(tokens: Sequence[bytes], convert: type) -> str:
-    for token in tokens:
-        try:
-            convert(token)
-        except (ValueError, OverflowError):
-            return _quoted(token)
-    return "a word"
+def _culprit(tokens: Sequence[bytes], convert: Callable[[bytes], object]) -> str:
+    return next(_quoted(token) for token in tokens if not _is_good(token, convert))
+
+
+def _is_good(token: bytes, convert: Callable[[bytes], object]) -> bool:
+    try:
+        convert(token)
+    except (ValueError, OverflowError):
+        return False
+    return True
 
 
 def _quoted(text: bytes) -> str:

@@ -78,7 +78,7 @@ def skeletal_graph(
     --------
     >>> from core.mesh import primitives
     >>> skeletal_graph(primitives.torus(), "height", 8, x=1, z=0)
-    SkeletalGraph(12 nodes, 12 arcs, 1 loops, 1 components)
+    SkeletalGraph(10 nodes, 10 arcs, 1 loops, 1 components)
     """
     values = scalar_field(mesh, field, **params)
     levels = band_levels(mesh, values, resolution, spacing)

@@ -117,7 +117,7 @@ def steps(mesh: TriangleMesh, params: DiffusionParams) -> Iterator[FloatArray]:
 
 SPEC = MethodSpec(
     id="diffusion",
-    title="Vertex diffusion (proposed)",
+    title="Vertex diffusion",
     params=DiffusionParams,
     steps=steps,
     summary="The thesis' method: diffusion that slows down where the surface has features.",

@@ -26,12 +26,18 @@ MODELS: dict[str, tuple[Callable[[], Mesh], int]] = {
 
 def main(folder: Path) -> None:
     """Make all models and write them to a folder."""
+    folder.mkdir(parents=True, exist_ok=True)
     for name, (make, genus) in MODELS.items():
-        mesh = make()
+        mesh = y_up(make())
         check(mesh, genus)
         path = folder / f"{name}.ply"
         path.write_bytes(ply(mesh, name))
         print(f"{path}: {len(mesh.vertices)} vertices, {len(mesh.faces)} faces, genus {genus}")
+
+
+def y_up(mesh: Mesh) -> Mesh:
+    """Stand a model that was made with z up on its feet where y is up, as most files have it."""
+    return Mesh(mesh.vertices[:, [0, 2, 1]] * [1.0, 1.0, -1.0], mesh.faces)
 
 
 def check(mesh: Mesh, genus: int) -> None:

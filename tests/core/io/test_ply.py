@@ -60,7 +60,7 @@ def test_binary_faces_of_different_sizes_with_further_properties(order, write):
 
 
 def test_strips_alternate_their_winding(write):
-    head = HEAD.replace("face", "tristrips").replace("uchar", "int")
+    head = HEAD.replace("element face", "element tristrips").replace("uchar", "int")
     points = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n"
     content = head.format(vertices=5, faces=1) + points + "9 0 1 2 3 -1 2 3 4 4\n"
     result = read_mesh(write("strips.ply", content))
@@ -109,6 +109,7 @@ def test_float32_coordinates_are_not_rounded_again(write):
         ("element vertex 4", "element vertex -4", "its header announces -4 rows"),
         ("element vertex 4", "element vertex four", "'four' is not a whole number"),
         ("4 0 1 2 3", "4000000000 0 1 2 3", "cut short in the middle of a list"),
+        ("element face 1", "element face 2", "cut short in the middle of a list"),
         ("4 0 1 2 3", "-4 0 1 2 3", "a list announces -4 entries"),
         ("4 0 1 2 3", "4 0 1 2 4", "face 0 names vertex 4; allowed are 0 to 3"),
         ("4 0 1 2 3", "4 0 1 2 -1", "face 0 names vertex -1; allowed are 0 to 3"),
@@ -137,12 +138,10 @@ def test_bad_files_are_refused(old, new, reason, write):
         load_mesh(write("bad.ply", content.replace(old, new, 1)))
 
 
-@pytest.mark.parametrize("count", [4_000_000_000, 2**63])
-def test_a_binary_header_that_lies_is_refused_before_memory_is_asked_for(count, squares, write):
-    content = squares["little.ply"].replace(b"vertex 4\n", b"vertex %d\n" % count)
-    assert "announced" in refused(write("lying.ply", content)) or "whole" in refused(
-        write("lying.ply", content)
-    )
+@pytest.mark.parametrize("element", [b"vertex 4", b"face 2"])
+def test_a_binary_header_that_lies_is_refused_before_memory_is_asked_for(element, squares, write):
+    lie = element.split()[0] + b" 4000000000"
+    assert "announced" in refused(write("lie.ply", squares["little.ply"].replace(element, lie)))
 
 
 def test_a_binary_list_that_lies_is_refused(squares, write):

@@ -1,0 +1,74 @@
+"""Speed of the skeletal graph, in products of the mesh's adjacency with its positions."""
+
+import time
+
+import numpy as np
+import pytest
+
+from core.fields import scalar_field
+from core.io import load_mesh
+from core.skeleton import band_levels, graph_of, level_curves, reeb_graph
+
+
+@pytest.fixture(scope="module")
+def cow(shared_models):
+    mesh = load_mesh(shared_models / "cow_92864.ply")
+    return mesh, scalar_field(mesh, "mixture")
+
+
+def best_time(action, repeats=9):
+    """Shortest of several runs in seconds, after one that warms up."""
+    action()
+    times = []
+    for _ in range(repeats):
+        start = time.perf_counter()
+        action()
+        times.append(time.perf_counter() - start)
+    return min(times)
+
+
+def record_units(benchmark, mesh):
+    """Note how many products the measured action took."""
+    unit = best_time(lambda: mesh.topology.adjacency @ mesh.vertices)
+    benchmark.extra_info["units"] = benchmark.stats.stats.min / unit
+    return benchmark.extra_info["units"]
+
+
+@pytest.mark.parametrize("resolution", [5, 22, 64])
+def test_change_of_resolution(benchmark, cow, resolution):
+    mesh, field = cow
+    benchmark(lambda: graph_of(mesh, field, band_levels(mesh, field, resolution)))
+    units = record_units(benchmark, mesh)
+    if resolution == 22:
+        assert units <= 25
+
+
+def test_level_curves(benchmark, cow):
+    mesh, field = cow
+    benchmark(lambda: level_curves(mesh, field, band_levels(mesh, field, 22)))
+    record_units(benchmark, mesh)
+
+
+def test_full_reeb_graph(benchmark, cow):
+    mesh, field = cow
+    benchmark(lambda: reeb_graph(mesh, field))
+    record_units(benchmark, mesh)
+
+
+def test_a_hundredth_of_vtk(benchmark, cow):
+    from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+    from vtkmodules.vtkCommonCore import vtkPoints
+    from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkReebGraph
+
+    mesh, field = cow
+    points, cells, surface = vtkPoints(), vtkCellArray(), vtkPolyData()
+    points.SetData(numpy_to_vtk(np.array(mesh.vertices), deep=True))
+    cells.SetData(3, numpy_to_vtkIdTypeArray(mesh.faces.ravel().astype(np.int64), deep=True))
+    surface.SetPoints(points)
+    surface.SetPolys(cells)
+    scalars = numpy_to_vtk(np.array(field.values), deep=True)
+    levels = band_levels(mesh, field, 22)
+    ours = best_time(lambda: graph_of(mesh, field, levels))
+    benchmark.pedantic(lambda: vtkReebGraph().Build(surface, scalars), rounds=1)
+    benchmark.extra_info["ratio"] = benchmark.stats.stats.min / ours
+    assert benchmark.extra_info["ratio"] >= 100
