@@ -91,9 +91,10 @@ def compare(
         Print one JSON object instead of the table.
     """
     from app.export.reports import comparison_json, comparison_text
+    from core.comparison import run
     from core.noise import NoiseParams
     from core.parameters import build_params
-    from core.study import Study, run
+    from core.study import Study
 
     study = Study(
         model=model,

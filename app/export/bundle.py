@@ -9,9 +9,9 @@ from app.export.plots import error_curves, save_error_plot
 from app.export.reports import comparison_json
 from app.export.tables import as_csv, as_markdown, study_rows
 from app.scene.comparison import study_look, study_panes
+from core.comparison import StudyResult
 from core.io import SaveError, save_mesh
 from core.metrics import METRICS
-from core.study import StudyResult
 
 _PICTURE_SIZE = (1920, 1080)
 _TEXT_SCALE = 1.5

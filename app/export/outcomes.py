@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 from app.scene.colours import method_colour
 from app.session import Run, Session
+from core.comparison import MethodResult, StudyResult
 from core.smoothing import METHODS
-from core.study import MethodResult, StudyResult
 
 
 @dataclass(frozen=True)

@@ -3,9 +3,9 @@
 from typing import Any
 
 from app.export.tables import as_text, study_rows
+from core.comparison import MethodResult, StudyResult
 from core.parameters import describe
 from core.smoothing import METHODS
-from core.study import MethodResult, StudyResult
 
 
 def comparison_json(result: StudyResult) -> dict[str, Any]:

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from app.export.outcomes import Outcome, study_outcomes
+from core.comparison import StudyResult
 from core.io import SaveError
 from core.metrics import METRICS
-from core.study import StudyResult
 
 NOISY_TITLE = "Noisy input"
 WORSE = "worse than the noisy input"

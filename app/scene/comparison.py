@@ -10,9 +10,10 @@ from app.scene.grid import CAPACITY
 from app.scene.panes import Look, Pane, Points, shared_range
 from app.session import Meshes, Run, Session
 from core.arrays import FloatArray
+from core.comparison import Comparison, MethodResult, StudyResult
 from core.metrics import METRICS, MetricSpec
 from core.smoothing import METHODS
-from core.study import Comparison, MethodChoice, MethodResult, Study, StudyResult
+from core.study import MethodChoice, Study
 
 METHOD_CAPACITY = CAPACITY - 2
 """Methods that fit beside the original and the noisy mesh."""

@@ -3,9 +3,10 @@
 from dataclasses import dataclass
 from pathlib import Path
 
+from core.comparison import Comparison, matched, read_model
 from core.io import LoadedMesh
 from core.noise import add_noise
-from core.study import SAMPLE_PREFIX, Comparison, Study, matched, read_model
+from core.study import SAMPLE_PREFIX, Study
 
 _KEPT = 4
 

@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from core.arrays import FloatArray
+from core.comparison import Comparison, Snapshot
 from core.smoothing import DivergenceError
-from core.study import Comparison, MethodChoice, Snapshot
+from core.study import MethodChoice
 
 RunKey = tuple[str, str]
 """What a run was computed from: the pair of meshes, and the method with its parameters."""

@@ -9,8 +9,9 @@ from app.session.history import History
 from app.session.jobs import Job, Jobs, Post
 from app.session.meshes import Meshes, MeshReader
 from app.session.runs import Run, RunKey, RunStore
+from core.comparison import Snapshot
 from core.smoothing import METHODS, DivergenceError
-from core.study import MethodChoice, Snapshot, Study
+from core.study import MethodChoice, Study
 
 _BUDGET = 4 * 1024**3
 

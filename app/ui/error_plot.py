@@ -2,19 +2,17 @@
 
 import os
 
-from matplotlib.artist import Artist
-from matplotlib.backend_bases import MouseEvent
-from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
-from matplotlib.figure import Figure
 from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QVBoxLayout, QWidget
 
+from app.export.chart import ErrorChart
 from app.export.outcomes import session_outcomes
-from app.export.plots import draw_errors, error_curves, method_of, save_error_plot
+from app.export.plots import error_curves, save_error_plot
 from app.scene.colours import LIGHT, Theme
 from app.session import Session
 from app.ui.controls import Coalesced
+from app.ui.plot_canvas import PlotCanvas
 from core.metrics import METRICS
 
 _REDRAW_MS = 60
@@ -36,8 +34,7 @@ class ErrorPlot(QWidget):
         self._session = session
         self._theme = LIGHT
         self._selected: str | None = None
-        self._axes = Figure().add_subplot()
-        self.canvas = FigureCanvasQTAgg(self._axes.figure)
+        self.canvas = PlotCanvas()
         self.metric_box = QComboBox()
         self.log_box = QCheckBox("Log scale")
         self._lay_out()
@@ -63,8 +60,10 @@ class ErrorPlot(QWidget):
         SaveError
             If the suffix is another.
         """
-        log = self.log_box.isChecked()
-        save_error_plot(path, *self._content(), LIGHT, log=log, selected=self._selected)
+        c = self._chart(LIGHT)
+        save_error_plot(
+            path, c.curves, c.noisy_value, c.metric, c.theme, log=c.log, selected=c.selected
+        )
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -100,8 +99,7 @@ class ErrorPlot(QWidget):
     def _connect(self) -> None:
         self.metric_box.activated.connect(self._choose_metric)
         self.log_box.toggled.connect(self._redraw_soon.request)
-        self.canvas.mpl_connect("button_press_event", self._on_press)
-        self.canvas.mpl_connect("motion_notify_event", self._on_motion)
+        self.canvas.pressed.connect(self.selected)
         self._session.study_changed.connect(self._refresh)
         self._session.meshes_changed.connect(self._redraw_soon.request)
         self._session.run_changed.connect(self._redraw_soon.request)
@@ -117,32 +115,19 @@ class ErrorPlot(QWidget):
         self.metric_box.setToolTip(metric.summary)
         self._redraw_soon.request()
 
-    def _content(self) -> tuple:
-        """Return curves, error of the noisy input and metric."""
+    def _chart(self, theme: Theme) -> ErrorChart:
+        """Gather what the study and its results say."""
         metric = METRICS[self._session.study.metric]
         meshes = self._session.meshes
-        noisy = meshes.comparison.noisy_errors[metric.id] if meshes else None
-        return error_curves(session_outcomes(self._session), metric.id), noisy, metric
+        return ErrorChart(
+            curves=error_curves(session_outcomes(self._session), metric.id),
+            noisy_value=meshes.comparison.noisy_errors[metric.id] if meshes else None,
+            metric=metric,
+            theme=theme,
+            log=self.log_box.isChecked(),
+            selected=self._selected,
+        )
 
     def _redraw(self) -> None:
-        if not self.isVisible():
-            return
-        log = self.log_box.isChecked()
-        draw_errors(self._axes, *self._content(), self._theme, log=log, selected=self._selected)
-        self.canvas.draw_idle()
-
-    def _on_press(self, event: MouseEvent) -> None:
-        method = self._method_at(event)
-        if method:
-            self.selected.emit(method)
-
-    def _on_motion(self, event: MouseEvent) -> None:
-        over = self._method_at(event) is not None
-        shape = Qt.CursorShape.PointingHandCursor if over else Qt.CursorShape.ArrowCursor
-        self.canvas.setCursor(shape)
-
-    def _method_at(self, event: MouseEvent) -> str | None:
-        """Return the method of the topmost artist under the pointer."""
-        artists = [*self._axes.lines, *self._axes.texts]
-        hit = [artist for artist in artists if method_of(artist) and artist.contains(event)[0]]
-        return method_of(max(hit, key=Artist.get_zorder)) if hit else None
+        if self.isVisible():
+            self.canvas.show_chart(self._chart(self._theme))

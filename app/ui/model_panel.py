@@ -56,7 +56,7 @@ class ModelPanel(QWidget):
         self.name.setFont(font)
         inside = QWidget()
         column = QVBoxLayout(inside)
-        column.setContentsMargins(12, 8, 12, 8)
+        column.setContentsMargins(10, 8, 10, 8)
         column.setSpacing(6)
         column.addWidget(self.name)
         column.addLayout(self._fact_grid())

@@ -1,6 +1,7 @@
 """The rows of the results table, as Qt asks for them."""
 
-from typing import Any
+from textwrap import wrap
+from typing import Any, ClassVar
 
 import qtawesome
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, Qt
@@ -18,7 +19,8 @@ _FIRST_METRIC = 2
 _WARNING_COLOUR = "#d9480f"
 _DISPLAY = Qt.ItemDataRole.DisplayRole
 _NOWHERE = QModelIndex()
-_SHORT = {"Iteration": "Iter.", "ms/iteration": "ms/ iter."}
+_HEADER_WIDTH = 9
+_SHORT = {"Iteration": "Iter.", "Best at": "Best\nat", "ms/iteration": "ms/\niter."}
 
 
 class ResultsModel(QAbstractTableModel):
@@ -88,7 +90,25 @@ class ResultsModel(QAbstractTableModel):
     def _alignment(self, _: ResultRow, index: QModelIndex) -> Qt.AlignmentFlag:
         return _alignment(index.column())
 
-    _ANSWERS = {
+    _ANSWERS: ClassVar = {
+        Qt.ItemDataRole.DisplayRole: _text,
+        Qt.ItemDataRole.ToolTipRole: _hint,
+        Qt.ItemDataRole.FontRole: _font,
+        Qt.ItemDataRole.DecorationRole: _icon,
+        Qt.ItemDataRole.TextAlignmentRole: _alignment,
+    }
+
+
+def _short_header(title: str) -> str:
+    """Break a title into short lines, without brackets."""
+    plain = title.replace("(", "").replace(")", "")
+    return _SHORT.get(title, "\n".join(wrap(plain, _HEADER_WIDTH)))
+
+
+def _alignment(self, _: ResultRow, index: QModelIndex) -> Qt.AlignmentFlag:
+        return _alignment(index.column())
+
+    _ANSWERS: ClassVar = {
         Qt.ItemDataRole.DisplayRole: _text,
         Qt.ItemDataRole.ToolTipRole: _hint,
         Qt.ItemDataRole.FontRole: _font,

@@ -30,7 +30,7 @@ from app.ui.controls import Coalesced
 from app.ui.results_model import NOTE, TITLE, ResultsModel
 
 _REFRESH_MS = 80
-_NARROWEST_TITLE = 84
+_NARROWEST_TITLE = 74
 _NOTE_ICON = 26
 
 _FORMATS: dict[str, Callable[[Sequence[ResultRow]], str]] = {
@@ -104,8 +104,9 @@ class ResultsTable(QWidget):
         view.setModel(self.model)
         font = view.font()
         font.setPointSizeF(0.92 * font.pointSizeF())
-        for widget in (view, view.horizontalHeader()):
-            widget.setFont(font)
+        view.setFont(font)
+        font.setPointSizeF(0.94 * font.pointSizeF())
+        view.horizontalHeader().setFont(font)
         view.setFrameShape(QFrame.Shape.NoFrame)
         view.setShowGrid(False)
         view.setAlternatingRowColors(True)

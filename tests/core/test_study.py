@@ -3,12 +3,13 @@
 import numpy as np
 import pytest
 
+from core.comparison import run
 from core.io import LoadError, save_mesh
 from core.mesh import TriangleMesh, primitives
 from core.noise import NoiseParams, add_noise
 from core.parameters import ParameterError
 from core.smoothing import METHODS
-from core.study import MethodChoice, Study, run
+from core.study import MethodChoice, Study
 
 
 @pytest.fixture

@@ -1,0 +1,71 @@
+"""A matplotlib canvas that draws only the curves anew while their frame stays the same."""
+
+from typing import Any
+
+from matplotlib.artist import Artist
+from matplotlib.backend_bases import DrawEvent, MouseEvent
+from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
+from matplotlib.figure import Figure
+from PySide6.QtCore import Qt, Signal
+
+from app.export.chart import ErrorChart, draw_curves, method_of
+from app.export.frame import Frame, draw_frame
+
+
+class PlotCanvas(FigureCanvasQTAgg):
+    """Shows an error chart; `pressed` carries the method of the line or label under the pointer."""
+
+    pressed = Signal(str)
+
+    def __init__(self) -> None:
+        self.axes = Figure().add_subplot()
+        super().__init__(self.axes.figure)
+        self._frame: Frame | None = None
+        self._curves: list[Artist] = []
+        self._background: Any = None
+        self.mpl_connect("draw_event", self._on_draw)
+        self.mpl_connect("button_press_event", self._on_press)
+        self.mpl_connect("motion_notify_event", self._on_motion)
+
+    def show_chart(self, chart: ErrorChart) -> None:
+        """Draw a chart: all of it, or where the frame is as before only the curves."""
+        frame = chart.frame
+        redraws_all = frame != self._frame or self._background is None
+        if redraws_all:
+            draw_frame(self.axes, frame)
+        else:
+            for artist in self._curves:
+                artist.remove()
+        self._frame = frame
+        self._curves = draw_curves(self.axes, chart)
+        for artist in self._curves:
+            artist.set_animated(True)
+        if redraws_all:
+            self.draw_idle()
+        else:
+            self._draw_curves()
+            self.update()
+
+    def _on_draw(self, _: DrawEvent) -> None:
+        """Keep the frame, which has just been drawn without the curves, and add them."""
+        self._background = self.copy_from_bbox(self.figure.bbox)
+        self._draw_curves()
+
+    def _draw_curves(self) -> None:
+        self.restore_region(self._background)
+        for artist in self._curves:
+            self.axes.draw_artist(artist)
+
+    def _on_press(self, event: MouseEvent) -> None:
+        if method := self._method_at(event):
+            self.pressed.emit(method)
+
+    def _on_motion(self, event: MouseEvent) -> None:
+        over = self._method_at(event) is not None
+        self.setCursor(Qt.CursorShape.PointingHandCursor if over else Qt.CursorShape.ArrowCursor)
+
+    def _method_at(self, event: MouseEvent) -> str | None:
+        """Return the method of the topmost artist under the pointer."""
+        artists = [*self.axes.lines, *self.axes.texts]
+        hit = [artist for artist in artists if method_of(artist) and artist.contains(event)[0]]
+        return method_of(max(hit, key=Artist.get_zorder)) if hit else None

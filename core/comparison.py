@@ -1,0 +1,248 @@
+"""Carrying out a study: reading its meshes, running its methods, measuring their errors.
+
+A :class:`Comparison` is the pair of meshes that a study works on; :func:`run` does the whole of
+it.
+"""
+
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+
+from core.arrays import FloatArray
+from core.io import LoadedMesh, read_mesh, sample_path
+from core.mesh import TriangleMesh
+from core.metrics import METRICS, Evaluator
+from core.noise import add_noise
+from core.parameters import ParameterError
+from core.smoothing import DivergenceError, DivergenceGuard, method_spec
+from core.study import SAMPLE_PREFIX, MethodChoice, Study
+
+
+@dataclass(frozen=True, eq=False)
+class Comparison:
+    """An original and its noisy version, with the metrics prepared.
+
+    Parameters
+    ----------
+    original, noisy : TriangleMesh
+        Meshes with the same topology.
+    """
+
+    original: TriangleMesh
+    noisy: TriangleMesh
+
+    @cached_property
+    def evaluators(self) -> dict[str, Evaluator]:
+        """Evaluator of each metric against the original."""
+        return {id_: spec.evaluator(self.original) for id_, spec in METRICS.items()}
+
+    @cached_property
+    def noisy_errors(self) -> dict[str, float]:
+        """Each metric of the noisy mesh itself: what a method must beat."""
+        return self.errors(self.noisy.vertices)
+
+    def errors(self, vertices: FloatArray) -> dict[str, float]:
+        """Return each metric of a mesh with these positions."""
+        return {id_: evaluator.value(vertices) for id_, evaluator in self.evaluators.items()}
+
+    def snapshots(self, choice: MethodChoice) -> Iterator["Snapshot"]:
+        """Yield the state after iteration 1, 2, 3 …, without end.
+
+        Raises
+        ------
+        DivergenceError
+            When the run diverges; the snapshot before is the last good one.
+        """
+        guard = DivergenceGuard(self.noisy)
+        positions = method_spec(choice.method).steps(self.noisy, choice.settings)
+        iteration = 0
+        while True:
+            iteration += 1
+            started = time.perf_counter()
+            vertices = next(positions)
+            seconds = time.perf_counter() - started
+            if not guard.allows(vertices):
+                raise DivergenceError(iteration)
+            yield Snapshot(iteration, vertices, self.errors(vertices), seconds)
+
+
+@dataclass(frozen=True, eq=False)
+class Snapshot:
+    """State of a run after one iteration.
+
+    Attributes
+    ----------
+    iteration : int
+        Counted from 1.
+    vertices : (m, 3) float64 ndarray
+        Positions.
+    errors : dict of str to float
+        Each metric against the original.
+    seconds : float
+        Time of the iteration alone, without the metrics.
+    """
+
+    iteration: int
+    vertices: FloatArray
+    errors: dict[str, float]
+    seconds: float
+
+
+@dataclass(frozen=True, eq=False)
+class MethodResult:
+    """What a method did in a study.
+
+    Attributes
+    ----------
+    choice : MethodChoice
+        What was asked for.
+    errors : dict of str to tuple of float
+        Each metric after 0 (the noisy input), 1, 2 … iterations.
+    seconds : tuple of float
+        Time of each iteration.
+    diverged : int or None
+        The iteration at which the run diverged.
+    mesh : TriangleMesh
+        The last good mesh.
+    """
+
+    choice: MethodChoice
+    errors: dict[str, tuple[float, ...]]
+    seconds: tuple[float, ...]
+    diverged: int | None
+    mesh: TriangleMesh
+
+    @property
+    def iterations(self) -> int:
+        """Number of good iterations."""
+        return len(self.seconds)
+
+    @property
+    def seconds_per_iteration(self) -> float:
+        """Median time of an iteration; 0 where there is none."""
+        return float(np.median(self.seconds)) if self.seconds else 0.0
+
+    def best(self, metric: str) -> tuple[int, float]:
+        """Return the iteration (0 is the noisy input) with the smallest error, and that error."""
+        values = self.errors[metric]
+        iteration = int(np.argmin(values))
+        return iteration, values[iteration]
+
+
+@dataclass(frozen=True, eq=False)
+class StudyResult:
+    """Meshes and numbers of a finished study."""
+
+    study: Study
+    comparison: Comparison
+    report: tuple[str, ...]
+    methods: tuple[MethodResult, ...]
+
+
+def read_model(model: str) -> LoadedMesh:
+    """Read a model by its path or, as ``sample:ID``, from the bundled ones."""
+    if model.startswith(SAMPLE_PREFIX):
+        return read_mesh(sample_path(model.removeprefix(SAMPLE_PREFIX)))
+    return read_mesh(Path(model))
+
+
+def read_comparison(study: Study) -> tuple[Comparison, tuple[str, ...]]:
+    """Read the meshes of a study and add the noise; also returns what loading changed.
+
+    Raises
+    ------
+    LoadError
+        If a file cannot be read.
+    ParameterError
+        If the noisy file does not belong to the original.
+    """
+    loaded = read_model(study.model)
+    if study.noisy is None:
+        noisy = add_noise(loaded.mesh, study.noise.sigma, study.noise.seed)
+        return Comparison(loaded.mesh, noisy), loaded.report
+    return Comparison(loaded.mesh, matched(loaded.mesh, read_model(study.noisy))), loaded.report
+
+
+def matched(original: TriangleMesh, noisy: LoadedMesh) -> TriangleMesh:
+    """Give a noisy mesh from its own file the topology of the original.
+
+    Raises
+    ------
+    ParameterError
+        If the two do not agree vertex by vertex and face by face.
+    """
+    mesh = noisy.mesh
+    pairs = (("vertices", mesh.vertices, original.vertices), ("faces", mesh.faces, original.faces))
+    for word, ours, theirs in pairs:
+        if len(ours) != len(theirs):
+            raise ParameterError(
+                f"{noisy.name} has {len(ours):,} {word} and the original {len(theirs):,}; "
+                "a noisy file must match its original vertex by vertex."
+            )
+    if not np.array_equal(_face_set(mesh), _face_set(original)):
+        raise ParameterError(
+            f"{noisy.name} joins its vertices to other faces than the original; "
+            "a noisy file must match its original vertex by vertex."
+        )
+    return original.with_vertices(mesh.vertices)
+
+
+def _face_set(mesh: TriangleMesh) -> FloatArray:
+    """Faces without order: corners sorted in each, faces sorted among themselves."""
+    faces = np.sort(mesh.faces, axis=1).astype(np.float64)
+    return faces[np.lexsort(faces.T[::-1])]
+
+
+def run_method(comparison: Comparison, choice: MethodChoice) -> MethodResult:
+    """Run one method to the chosen iteration or until it diverges."""
+    errors: dict[str, list[float]] = {id_: [e] for id_, e in comparison.noisy_errors.items()}
+    seconds: list[float] = []
+    vertices = comparison.noisy.vertices
+    diverged = None
+    snapshots = comparison.snapshots(choice)
+    try:
+        for _ in range(choice.iterations):
+            snapshot = next(snapshots)
+            vertices = snapshot.vertices
+            seconds.append(snapshot.seconds)
+            for id_, error in snapshot.errors.items():
+                errors[id_].append(error)
+    except DivergenceError as error:
+        diverged = error.iteration
+    return MethodResult(
+        choice=choice,
+        errors={id_: tuple(values) for id_, values in errors.items()},
+        seconds=tuple(seconds),
+        diverged=diverged,
+        mesh=comparison.noisy.with_vertices(vertices),
+    )
+
+
+def run(study: Study) -> StudyResult:
+    """Carry out a study: read the model, add the noise, run every enabled method.
+
+    Parameters
+    ----------
+    study : Study
+        The description.
+
+    Returns
+    -------
+    StudyResult
+        Meshes, errors after every iteration, times, and where a method diverged. A method that
+        diverges does not disturb the others.
+
+    Raises
+    ------
+    LoadError
+        If a file cannot be read.
+    ParameterError
+        If a parameter is not allowed or the noisy file does not belong to the original.
+    """
+    comparison, report = read_comparison(study)
+    results = tuple(run_method(comparison, choice) for choice in study.methods if choice.enabled)
+    return StudyResult(study, comparison, report, results)
