@@ -5,8 +5,10 @@ It is what a file, an undo step and a command line hold; :mod:`core.comparison` 
 
 from typing import Literal
 
+from core.fields import field_spec
 from core.noise import NoiseParams
 from core.parameters import Params, build_params, param
+from core.skeleton import Bands, Spacing
 from core.smoothing import METHODS, method_spec
 
 SAMPLE_PREFIX = "sample:"
@@ -46,6 +48,65 @@ class ViewSettings(Params):
     linked: bool = param(True, help="Move the cameras of all panes together.")
 
 
+class SkeletonView(Params):
+    """One skeletal graph: of which surface, in which field, at which resolution."""
+
+    source: str = param("original", help="Surface: original, noisy, or the id of a method.")
+    keep: float = param(
+        1.0, low=0.005, high=1, help="Share of the faces that decimation leaves; 1 leaves all."
+    )
+    field: str = param("mixture", help="Id of a field.")
+    params: dict[str, float | int | bool | str | None] = param(
+        {}, help="Parameters of the field that differ from their declared defaults."
+    )
+    spacing: Spacing = param(
+        "value", help="Levels at equal steps of the field, of the distance, or of the area."
+    )
+    resolution: int = param(
+        22, low=1, high=64, step=1, help="Number of bands R; more show finer branches."
+    )
+    bands: Bands = param(
+        "exact", help="Cut the faces at the levels, or collect vertices as the thesis prints it."
+    )
+    root: bool = param(False, help="Join the centroid to the nodes of the first band.")
+
+    @property
+    def settings(self) -> Params:
+        """The validated parameters of the field."""
+        spec = field_spec(self.field)
+        settings: Params = build_params(spec.params, self.params, self.field)
+        return settings
+
+
+class SkeletonSettings(Params):
+    """The Skeleton tab: the graphs that are compared, and how they are drawn."""
+
+    views: tuple[SkeletonView, SkeletonView] = param(
+        (SkeletonView(field="euclidean"), SkeletonView()), help="The two views, left and right."
+    )
+    compare: bool = param(True, help="Show both views; off shows only the right one.")
+    node_colour: Literal["band", "kind"] = param(
+        "band", help="Colour nodes by their band, or by kind: end, branch, regular."
+    )
+    node_size: float = param(
+        1.0, low=0.2, high=4, step=0.1, help="Size of nodes and tubes; 1 suits the model."
+    )
+    opacity: float = param(
+        0.35, low=0, high=1, step=0.05, help="Opacity of the surface; 0 leaves it out."
+    )
+    show_bands: bool = param(True, help="Colour the bands on the surface.")
+    show_curves: bool = param(True, help="Draw the level curves.")
+    show_graph: bool = param(True, help="Draw the skeletal graph.")
+    show_shells: bool = param(
+        False, help="Draw the spheres or ellipsoids on which the field is constant."
+    )
+
+    def with_view(self, index: int, view: SkeletonView) -> "SkeletonSettings":
+        """Return the settings with one view replaced."""
+        views = tuple(view if i == index else old for i, old in enumerate(self.views))
+        return self.model_copy(update={"views": views})
+
+
 class Study(Params):
     """Frozen, JSON-serialisable description of one denoising experiment."""
 
@@ -56,12 +117,15 @@ class Study(Params):
     methods: tuple[MethodChoice, ...] = param(default_choices(), help="Methods in display order.")
     metric: str = param("visual_error", help="Metric of the plot.")
     view: ViewSettings = param(ViewSettings(), help="How the panes look.")
+    skeleton: SkeletonSettings = param(SkeletonSettings(), help="What the Skeleton tab shows.")
 
     def choice(self, method: str) -> MethodChoice:
-        """Return the choice made for a method."""
-        return next(choice for choice in self.methods if choice.method == method)
+        """Return the choice made for a method; one that the study leaves out is not enabled."""
+        absent = MethodChoice(method=method, enabled=False)
+        return next((choice for choice in self.methods if choice.method == method), absent)
 
     def with_choice(self, choice: MethodChoice) -> "Study":
-        """Return the study with one method's choice replaced."""
-        methods = tuple(choice if old.method == choice.method else old for old in self.methods)
-        return self.model_copy(update={"methods": methods})
+        """Return the study with one method's choice replaced, in display order."""
+        choices = {old.method: old for old in self.methods} | {choice.method: choice}
+        ordered = tuple(choices[method] for method in METHODS if method in choices)
+        return self.model_copy(update={"methods": ordered})

@@ -58,7 +58,7 @@ def _write_pictures(result: StudyResult, folder: Path) -> None:
     noisy = result.comparison.noisy_errors[metric.id]
     curves = error_curves(study_outcomes(result), metric.id)
     for suffix in ("svg", "png"):
-        save_error_plot(folder / f"errors.{suffix}", curves, noisy, metric)
+        save_error_plot(folder / f"errors.{suffix}", curves, noisy, metric, log=True)
     panes = study_panes(result)
     look = study_look(result, panes, _TEXT_SCALE)
     save_picture(grid_picture(panes, look, None, _PICTURE_SIZE), folder / "panes.png")

@@ -127,8 +127,9 @@ def draw_curves(axes: Axes, chart: ErrorChart) -> list[Artist]:
     """
     drawn: list[Artist] = []
     if chart.noisy_value is not None:
-        ink = chart.theme.ink
-        drawn.append(axes.axhline(chart.noisy_value, color=ink, lw=1.2, ls=_DASHES, alpha=0.8))
+        # Over the lines: a method just below the noisy input must not hide it.
+        style: dict[str, Any] = {"lw": 1.2, "ls": _DASHES, "alpha": 0.8, "zorder": 4.5}
+        drawn.append(axes.axhline(chart.noisy_value, color=chart.theme.ink, **style))
     for curve in chart.curves:
         drawn += _draw_curve(axes, curve, chart)
     diverged = [curve for curve in chart.curves if curve.diverged is not None and curve.values]
@@ -146,10 +147,19 @@ def method_of(artist: Artist) -> str | None:
 def _draw_curve(axes: Axes, curve: ErrorCurve, chart: ErrorChart) -> list[Artist]:
     heavy = curve.method == chart.selected
     order = 4.0 if heavy else 3.0
-    line = {"color": curve.colour, "lw": _HEAVY if heavy else _THIN, "zorder": order}
     iterations = range(len(curve.values))
-    drawn: list[Artist] = [*axes.plot(iterations, curve.values, gid=f"{curve.method}.line", **line)]
-    if curve.iteration in iterations:
+    drawn: list[Artist] = [
+        *axes.plot(
+            iterations,
+            curve.values,
+            color=curve.colour,
+            lw=_HEAVY if heavy else _THIN,
+            zorder=order,
+            gid=f"{curve.method}.line",
+        )
+    ]
+    crossed = curve.diverged is not None and curve.iteration == len(curve.values) - 1
+    if curve.iteration in iterations and not crossed:
         drawn += axes.plot(
             curve.iteration,
             min(curve.values[curve.iteration], axes.get_ylim()[1]),

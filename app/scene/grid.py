@@ -71,6 +71,11 @@ class PaneGrid:
             renderer.set_background(bottom, top=top)
 
     @property
+    def panes(self) -> list[Pane]:
+        """Panes as they were drawn last."""
+        return list(self._panes)
+
+    @property
     def ids(self) -> list[str]:
         """Ids of the panes in their order."""
         return [pane.id for pane in self._panes]

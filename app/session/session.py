@@ -1,6 +1,6 @@
 """The one observable of the program: the current study and what has been computed for it."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from psygnal import Signal
@@ -75,11 +75,11 @@ class Session:
 
     def undo(self) -> None:
         """Take back the last step."""
-        self._travel(self.history.undo(self.study))
+        self._travel(self.history.undo(self.study), self.history.redo)
 
     def redo(self) -> None:
         """Do the step again that was taken back last."""
-        self._travel(self.history.redo(self.study))
+        self._travel(self.history.redo(self.study), self.history.undo)
 
     def cancel(self) -> None:
         """Stop all work; what is there stays, and sliders beyond it go back to it."""
@@ -125,9 +125,10 @@ class Session:
         same = (ours.model, ours.noisy, ours.noise) == (theirs.model, theirs.noisy, theirs.noise)
         return self.meshes is None or not same
 
-    def _travel(self, study: Study) -> None:
+    def _travel(self, study: Study, go_back: Callable[[Study], Study]) -> None:
+        """Go to a study of the history; if its meshes cannot be had, the history goes back."""
         if self._needs_meshes(study):
-            self._load(study, None)
+            self._load(study, None, on_failure=lambda: go_back(study))
         elif study != self.study:
             self._replace(study)
 
@@ -136,10 +137,13 @@ class Session:
         self._run_missing()
         self.study_changed.emit(study, before)
 
-    def _load(self, study: Study, name: str | None) -> None:
+    def _load(
+        self, study: Study, name: str | None, on_failure: Callable[[], object] = lambda: None
+    ) -> None:
         """Read the meshes of a study; with a name it becomes an undoable step."""
         if self._loading:
             self._loading.cancel()
+        before = self.study
 
         def read() -> Iterator[Meshes]:
             yield self._reader.read(study)
@@ -151,9 +155,13 @@ class Session:
 
         def loaded(meshes: Meshes) -> None:
             if not job.cancelled:
-                self._adopt(study, name, meshes)
+                self._adopt(_carried_over(study, before, self.study), name, meshes)
 
-        self._loading = job = Job(read(), loaded, self._report, done)
+        def failed(error: Exception) -> None:
+            on_failure()
+            self._report(error)
+
+        self._loading = job = Job(read(), loaded, failed, done)
         self.jobs.start(job, urgent=True)
         self.activity_changed.emit()
 
@@ -216,3 +224,11 @@ class Session:
 
     def _report(self, error: Exception) -> None:
         self.failed.emit(str(error) or type(error).__name__)
+
+
+def _carried_over(wanted: Study, before: Study, now: Study) -> Study:
+    """Return the study that was loaded, with what a person changed while it was loading."""
+    if now is before:
+        return wanted
+    sources = {name: getattr(wanted, name) for name in ("model", "noisy", "noise")}
+    return now.model_copy(update=sources)

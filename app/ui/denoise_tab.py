@@ -19,6 +19,7 @@ from core.smoothing import METHODS
 
 _REDRAW_MS = 30
 _BOTTOM_HEIGHT = 230
+_PAUSE = 4
 _LEFT_WIDTH = 240
 _LAYOUT = "denoise_layout"
 
@@ -57,6 +58,11 @@ class DenoiseTab(QMainWindow):
         scale = self.devicePixelRatioF()
         return panes, self._scene.look(panes, self._theme, self.selected, scale)
 
+    @property
+    def is_drawn(self) -> bool:
+        """Whether the viewport shows the current state."""
+        return not self._redraw_timer.isActive()
+
     def select(self, pane: str | None) -> None:
         """Mark a pane, and its method in panel, plot and table."""
         if pane == self.selected:
@@ -65,14 +71,14 @@ class DenoiseTab(QMainWindow):
         method = pane if pane in METHODS else None
         for view in (self.methods, self.plot, self.table):
             view.set_selected(method)
-        self._redraw_timer.start()
+        self._soon()
         self.selection_changed.emit(pane or "")
 
     def set_theme(self, theme: Theme) -> None:
         """Draw panes and plot in a theme's colours."""
         self._theme = theme
         self.plot.set_theme(theme)
-        self._redraw_timer.start()
+        self._soon()
 
     def save_layout(self) -> None:
         """Remember where the panels are."""
@@ -117,17 +123,26 @@ class DenoiseTab(QMainWindow):
     def _connect(self) -> None:
         self.session.study_changed.connect(self._on_study_changed)
         self.session.meshes_changed.connect(self._on_meshes_changed)
-        self.session.run_changed.connect(lambda _: self._redraw_timer.start())
+        self.session.run_changed.connect(self._on_run_changed)
         for view in (self.viewport, self.methods, self.plot, self.table):
             view.selected.connect(self.select)
         self.model.noisy_file_requested.connect(self.noisy_file_requested)
 
+    def _on_run_changed(self, _: str) -> None:
+        """Redraw soon, but leave the worker most of the time: drawing keeps it waiting."""
+        if not self._redraw_timer.isActive():
+            pause = _PAUSE * self.viewport.draw_seconds if self.session.activity else 0
+            self._redraw_timer.start(max(_REDRAW_MS, round(1000 * pause)))
+
+    def _soon(self) -> None:
+        self._redraw_timer.start(_REDRAW_MS)
+
     def _on_meshes_changed(self) -> None:
-        self._redraw_timer.start()
+        self._soon()
 
     def _on_study_changed(self, study: object, before: object) -> None:
         self._fresh_model |= study.model != before.model
-        self._redraw_timer.start()
+        self._soon()
 
     def _redraw(self) -> None:
         panes, look = self.panes()

@@ -2,6 +2,7 @@
 
 import os
 
+from matplotlib.figure import Figure
 from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QVBoxLayout, QWidget
@@ -36,11 +37,17 @@ class ErrorPlot(QWidget):
         self._selected: str | None = None
         self.canvas = PlotCanvas()
         self.metric_box = QComboBox()
-        self.log_box = QCheckBox("Log scale")
+        # The methods' errors often lie decades apart, and the smallest matter most.
+        self.log_box = QCheckBox("Log scale", checked=True)
         self._lay_out()
         self._redraw_soon = Coalesced(self._redraw, _REDRAW_MS, self)
         self._connect()
         self._refresh()
+
+    @property
+    def figure(self) -> Figure:
+        """Figure that the window shows."""
+        return self.canvas.figure
 
     def set_selected(self, method: str | None) -> None:
         """Draw a method's line heavy."""

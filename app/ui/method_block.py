@@ -135,7 +135,8 @@ class MethodBlock(QWidget):
         self.state.setForegroundRole(role)
 
     def eventFilter(self, _: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.FocusIn and event.reason() in _BY_HAND:
+        entered = event.type() == QEvent.Type.FocusIn and event.reason() in _BY_HAND
+        if entered or event.type() == QEvent.Type.MouseButtonPress:
             self.selected.emit(self.method)
         return False
 
@@ -147,7 +148,7 @@ class MethodBlock(QWidget):
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         accent = self.palette().color(QPalette.ColorRole.Highlight)
-        line = self.palette().color(QPalette.ColorRole.Midlight)
+        line = self.palette().color(QPalette.ColorRole.Mid)
         painter.setPen(accent if self._is_selected else line)
         ground = QColor(accent)
         ground.setAlpha(28 if self._is_selected else 0)

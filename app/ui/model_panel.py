@@ -18,7 +18,7 @@ _FACTS = {
     "components": "Components",
     "genus": "Genus",
     "boundary": "Boundary",
-    "mean_edge_length": "ℓ̄",
+    "mean_edge_length": "Mean edge ℓ̄",
 }
 
 

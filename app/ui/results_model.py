@@ -20,7 +20,8 @@ _WARNING_COLOUR = "#d9480f"
 _DISPLAY = Qt.ItemDataRole.DisplayRole
 _NOWHERE = QModelIndex()
 _HEADER_WIDTH = 9
-_SHORT = {"Iteration": "Iter.", "Best at": "Best\nat", "ms/iteration": "ms/\niter."}
+_MANY_WORDS = 4
+_SHORT = {"Iteration": "Iter.", "Best at": "Best\nat", "ms/iteration": "ms/\niter.", "Note": ""}
 
 
 class ResultsModel(QAbstractTableModel):
@@ -87,7 +88,7 @@ class ResultsModel(QAbstractTableModel):
             return self._warning
         return self._dots.get(row.method, self._noisy_dot) if index.column() == TITLE else None
 
-    def _alignment(self, _: ResultRow, index: QModelIndex) -> Qt.AlignmentFlag:
+    def _align(self, _: ResultRow, index: QModelIndex) -> Qt.AlignmentFlag:
         return _alignment(index.column())
 
     _ANSWERS: ClassVar = {
@@ -95,36 +96,15 @@ class ResultsModel(QAbstractTableModel):
         Qt.ItemDataRole.ToolTipRole: _hint,
         Qt.ItemDataRole.FontRole: _font,
         Qt.ItemDataRole.DecorationRole: _icon,
-        Qt.ItemDataRole.TextAlignmentRole: _alignment,
+        Qt.ItemDataRole.TextAlignmentRole: _align,
     }
 
 
 def _short_header(title: str) -> str:
-    """Break a title into short lines, without brackets."""
-    plain = title.replace("(", "").replace(")", "")
-    return _SHORT.get(title, "\n".join(wrap(plain, _HEADER_WIDTH)))
-
-
-def _alignment(self, _: ResultRow, index: QModelIndex) -> Qt.AlignmentFlag:
-        return _alignment(index.column())
-
-    _ANSWERS: ClassVar = {
-        Qt.ItemDataRole.DisplayRole: _text,
-        Qt.ItemDataRole.ToolTipRole: _hint,
-        Qt.ItemDataRole.FontRole: _font,
-        Qt.ItemDataRole.DecorationRole: _icon,
-        Qt.ItemDataRole.TextAlignmentRole: _alignment,
-    }
-
-
-def _short_header(title: str) -> str:
-    """Break a title in two lines of about the same length."""
-    title = _SHORT.get(title, title).replace("(", "").replace(")", "")
-    spaces = [place for place, sign in enumerate(title) if sign == " "]
-    if not spaces:
-        return title
-    middle = min(spaces, key=lambda place: abs(place - len(title) / 2))
-    return f"{title[:middle]}\n{title[middle + 1 :]}"
+    """Break a title into short lines, without brackets and without what goes without saying."""
+    words = title.replace("(", "").replace(")", "").split()
+    brief = [word for word in words if word != "error" or len(words) < _MANY_WORDS]
+    return _SHORT.get(title, "\n".join(wrap(" ".join(brief), _HEADER_WIDTH)))
 
 
 def _alignment(column: int) -> Qt.AlignmentFlag:
@@ -142,4 +122,7 @@ def _dot(colour: str) -> QIcon:
     painter.setBrush(QColor(colour))
     painter.drawEllipse(2, 2, 20, 20)
     painter.end()
-    return QIcon(pixmap)
+    icon = QIcon(pixmap)
+    # The colour has a meaning: it stays when the row is selected.
+    icon.addPixmap(pixmap, QIcon.Mode.Selected)
+    return icon

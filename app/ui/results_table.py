@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 
 from PySide6.QtCore import QItemSelectionModel, QModelIndex, QSize, Qt, Signal
-from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QResizeEvent, QShowEvent
+from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QFrame,
@@ -32,6 +32,7 @@ from app.ui.results_model import NOTE, TITLE, ResultsModel
 _REFRESH_MS = 80
 _NARROWEST_TITLE = 74
 _NOTE_ICON = 26
+_SPACE = 12
 
 _FORMATS: dict[str, Callable[[Sequence[ResultRow]], str]] = {
     "Copy as Text": as_text,
@@ -39,6 +40,60 @@ _FORMATS: dict[str, Callable[[Sequence[ResultRow]], str]] = {
     "Copy as Markdown": as_markdown,
     "Copy as LaTeX": as_latex,
 }
+
+
+class ResultsView(QTableView):
+    """Table view whose columns always fill its width."""
+
+    def __init__(self, model: ResultsModel) -> None:
+        super().__init__()
+        self.setModel(model)
+        self._dress()
+
+    def fit_columns(self) -> None:
+        """Give the numbers what they need, then the names, then space, then the notes."""
+        columns = self.horizontalHeader()
+        widths = [
+            max(self.sizeHintForColumn(column), columns.sectionSizeHint(column))
+            for column in range(self.model().columnCount())
+        ]
+        numbers = range(TITLE + 1, NOTE)
+        room = self.viewport().width() - sum(widths[column] for column in numbers) - _NOTE_ICON
+        widths[TITLE] = max(min(widths[TITLE], room), _NARROWEST_TITLE)
+        space = min(max(room - widths[TITLE], 0) // len(numbers), _SPACE)
+        for column in numbers:
+            widths[column] += space
+        widths[NOTE] = max(self.viewport().width() - sum(widths[:NOTE]), _NOTE_ICON)
+        for column, width in enumerate(widths):
+            columns.resizeSection(column, width)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.fit_columns()
+
+    def _dress(self) -> None:
+        font = self.font()
+        font.setPointSizeF(0.92 * font.pointSizeF())
+        self.setFont(font)
+        font.setPointSizeF(0.94 * font.pointSizeF())
+        self.horizontalHeader().setFont(font)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setShowGrid(False)
+        self.setAlternatingRowColors(True)
+        self.setTabKeyNavigation(False)
+        self.setIconSize(QSize(12, 12))
+        self.setTextElideMode(Qt.TextElideMode.ElideRight)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
+        self.setAccessibleName("Table of results")
+        rows, columns = self.verticalHeader(), self.horizontalHeader()
+        rows.hide()
+        rows.setDefaultSectionSize(self.fontMetrics().height() + 6)
+        columns.setSectionsClickable(False)
+        columns.setHighlightSections(False)
+        columns.setMinimumSectionSize(_NOTE_ICON)
+        columns.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
 
 
 class ResultsTable(QWidget):
@@ -57,8 +112,7 @@ class ResultsTable(QWidget):
         self._session = session
         self._selected: str | None = None
         self.model = ResultsModel(self)
-        self.view = QTableView(self)
-        self._dress()
+        self.view = ResultsView(self.model)
         self._add_actions()
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -88,42 +142,8 @@ class ResultsTable(QWidget):
         """
         save_table(path, self.model.rows)
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._fit_columns()
-
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
-        self._fit_columns()
-
     def sizeHint(self) -> QSize:
         return QSize(560, 220)
-
-    def _dress(self) -> None:
-        view = self.view
-        view.setModel(self.model)
-        font = view.font()
-        font.setPointSizeF(0.92 * font.pointSizeF())
-        view.setFont(font)
-        font.setPointSizeF(0.94 * font.pointSizeF())
-        view.horizontalHeader().setFont(font)
-        view.setFrameShape(QFrame.Shape.NoFrame)
-        view.setShowGrid(False)
-        view.setAlternatingRowColors(True)
-        view.setTabKeyNavigation(False)
-        view.setIconSize(QSize(12, 12))
-        view.setTextElideMode(Qt.TextElideMode.ElideRight)
-        view.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        view.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-        view.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
-        view.setAccessibleName("Table of results")
-        rows, columns = view.verticalHeader(), view.horizontalHeader()
-        rows.hide()
-        rows.setDefaultSectionSize(view.fontMetrics().height() + 6)
-        columns.setSectionsClickable(False)
-        columns.setHighlightSections(False)
-        columns.setMinimumSectionSize(_NOTE_ICON)
-        columns.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
 
     def _add_actions(self) -> None:
         for text, write in _FORMATS.items():
@@ -142,26 +162,13 @@ class ResultsTable(QWidget):
         noisy = meshes.comparison.noisy_errors if meshes else None
         self.model.show(result_rows(noisy, outcomes, metric) if noisy else ())
         self._mark_selected()
-        self._fit_columns()
-
-    def _fit_columns(self) -> None:
-        """Give the numbers what they need, then the names, then the notes."""
-        columns = self.view.horizontalHeader()
-        needed = [
-            max(self.view.sizeHintForColumn(column), columns.sectionSizeHint(column))
-            for column in range(self.model.columnCount())
-        ]
-        room = self.view.viewport().width() - sum(needed[TITLE + 1 : NOTE])
-        needed[TITLE] = max(min(needed[TITLE], room - _NOTE_ICON), _NARROWEST_TITLE)
-        needed[NOTE] = max(room - needed[TITLE], _NOTE_ICON)
-        for column, width in enumerate(needed):
-            columns.resizeSection(column, width)
+        self.view.fit_columns()
 
     def _mark_selected(self) -> None:
         """Select the row of the selected method; `_on_row` sees that nothing is new."""
         methods = [row.method for row in self.model.rows]
         selection = self.view.selectionModel()
-        if self._selected not in methods:
+        if self._selected is None or self._selected not in methods:
             selection.clear()
             return
         row = self.model.index(methods.index(self._selected), TITLE)

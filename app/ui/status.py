@@ -4,8 +4,10 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QLabel, QProgressBar, QStatusBar, QToolButton
 
 from app.session import Session
+from app.ui.controls import Coalesced
 
 _MESSAGE_MS = 12_000
+_UPDATE_MS = 120
 
 
 class StatusBar(QStatusBar):
@@ -29,7 +31,9 @@ class StatusBar(QStatusBar):
         self._button.setDefaultAction(cancel)
         for widget in (self._text, self._bar, self._button):
             self.addPermanentWidget(widget)
-        session.activity_changed.connect(self._update)
+        # A progress bar repaints the whole window at once, so it may not follow every iteration.
+        self._update_soon = Coalesced(self._update, _UPDATE_MS, self)
+        session.activity_changed.connect(self._update_soon.request)
         session.notified.connect(lambda text: self.showMessage(text, _MESSAGE_MS))
         self._update()
 

@@ -1,5 +1,7 @@
 """The viewport: the grid of panes on the screen, with mouse and camera."""
 
+import time
+
 import numpy as np
 from PySide6.QtCore import (
     QEvent,
@@ -52,7 +54,11 @@ class Viewport(QWidget):
         self._box_zoom = False
         self._band = QRubberBand(QRubberBand.Shape.Rectangle, self.interactor)
         self._flight: QVariantAnimation | None = None
-        self.interactor.render_window.AddObserver("StartEvent", lambda *_: self.grid.fit_clipping())
+        self.draw_seconds = 0.0
+        self._draw_started = 0.0
+        window = self.interactor.render_window
+        window.AddObserver("StartEvent", self._before_drawing)
+        window.AddObserver("EndEvent", self._after_drawing)
 
     def minimumSizeHint(self) -> QSize:
         return QSize(320, 240)
@@ -157,6 +163,13 @@ class Viewport(QWidget):
     def _double_click(self, event: QMouseEvent) -> bool:
         self.toggle_enlarged(self._pane_at(event.position().toPoint()))
         return True
+
+    def _before_drawing(self, *_: object) -> None:
+        self.grid.fit_clipping()
+        self._draw_started = time.perf_counter()
+
+    def _after_drawing(self, *_: object) -> None:
+        self.draw_seconds = time.perf_counter() - self._draw_started
 
     def _redraw(self) -> None:
         if self._look is not None:

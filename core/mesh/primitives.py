@@ -3,6 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from core.mesh.remesh import midpoint_subdivision
 from core.mesh.triangle_mesh import TriangleMesh
 
 
@@ -36,16 +37,6 @@ def sphere(subdivisions: int = 2) -> TriangleMesh:
             split.vertices / np.linalg.norm(split.vertices, axis=1, keepdims=True)
         )
     return mesh
-
-
-def midpoint_subdivision(mesh: TriangleMesh) -> TriangleMesh:
-    """Split each face in four at the midpoints of its edges; the old vertices come first."""
-    midpoints = mesh.vertices[mesh.edges].mean(axis=1)
-    a, b, c = mesh.faces.T
-    ab, bc, ca = (mesh.topology.face_edges + len(mesh.vertices)).T
-    corners = [(a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca)]
-    faces = np.concatenate([np.stack(corner, axis=1) for corner in corners])
-    return TriangleMesh(np.concatenate([mesh.vertices, midpoints]), faces)
 
 
 def torus(

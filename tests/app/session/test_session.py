@@ -2,6 +2,7 @@
 
 import queue
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -115,6 +116,36 @@ def test_a_file_that_cannot_be_read_leaves_everything_as_it_was(desk, ball_file,
     assert "no.ply" in desk.failures[0]
     assert desk.session.study == study
     assert desk.session.meshes is meshes
+
+
+def test_what_is_changed_while_noise_is_added_is_kept(desk, ball_file):
+    study = study_of(ball_file, "mean")
+    desk.session.apply(study, "Open")
+    desk.rest()
+    desk.session.apply(study.model_copy(update={"noise": NoiseParams(sigma=0.3)}), "Noise")
+    choice = study.methods[0].model_copy(update={"iterations": 5})
+    desk.session.apply(desk.session.study.with_choice(choice), "Iterations")
+    desk.rest()
+    assert desk.session.study.noise.sigma == 0.3
+    assert desk.session.shown_iteration("mean") == 5
+
+
+def test_undo_to_a_file_that_is_gone_says_so_and_can_be_tried_again(desk, ball_file, tmp_path):
+    other = tmp_path / "other.ply"
+    save_mesh(primitives.torus(), other)
+    desk.session.apply(study_of(ball_file, "mean"), "Open")
+    desk.rest()
+    desk.session.apply(study_of(str(other), "mean"), "Open other")
+    desk.rest()
+    Path(ball_file).rename(tmp_path / "away.ply")
+    desk.session.undo()
+    desk.rest()
+    assert "ball.ply" in desk.failures[0]
+    assert desk.session.study.model == str(other)
+    (tmp_path / "away.ply").rename(ball_file)
+    desk.session.undo()
+    desk.rest()
+    assert desk.session.study.model == ball_file
 
 
 def test_cancel_keeps_what_is_there_and_moves_the_sliders_back(desk, ball_file):

@@ -1,0 +1,40 @@
+"""The lines of text above a skeletal graph."""
+
+import pyvista as pv
+
+from app.scene.caption import text_line
+from app.scene.skeleton_panes import SkeletonLook, SkeletonPane
+
+_WARNING = {True: "#ff8a7a", False: "#b3261e"}
+_SIZES = (13, 12, 12)
+_GAP = 7
+_MARGIN = 8
+
+
+class SkeletonCaption:
+    """Title, counts and the picked node in the upper left corner of a renderer."""
+
+    def __init__(self) -> None:
+        self._lines = [text_line(size, bold=i == 0) for i, size in enumerate(_SIZES)]
+        for line in self._lines:
+            # Pixels, not shares of the viewport, keep the text the same size in every layout.
+            line.GetPositionCoordinate().SetCoordinateSystemToViewport()
+
+    def add_to(self, renderer: pv.Renderer) -> None:
+        """Put the text into a renderer."""
+        for line in self._lines:
+            renderer.AddViewProp(line)
+
+    def show(self, pane: SkeletonPane, look: SkeletonLook, height: float) -> None:
+        """Write a pane's text; `height` is the height of its viewport in pixels."""
+        top = height - _MARGIN * look.text_scale
+        texts = (pane.title, pane.caption, pane.note)
+        warning = _WARNING[look.theme.dark]
+        colours = (look.theme.ink, look.theme.ink if pane.skeleton else warning, look.theme.ink)
+        for line, size, text, colour in zip(self._lines, _SIZES, texts, colours, strict=True):
+            line.input = text
+            line.SetPosition(_MARGIN * look.text_scale, top)
+            line.prop.SetFontSize(int(size * look.text_scale))
+            line.prop.SetColor(pv.Color(colour).float_rgb)
+            line.prop.SetLineSpacing(1.25)
+            top -= (size + _GAP) * look.text_scale

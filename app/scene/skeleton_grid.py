@@ -1,0 +1,187 @@
+"""One or two panes with skeletal graphs on translucent surfaces, seen by one camera."""
+
+from collections.abc import Sequence
+
+import numpy as np
+import pyvista as pv
+from vtkmodules.vtkRenderingCore import vtkRenderer
+
+from app.scene.camera import CameraPose, preset_pose
+from app.scene.layout import Viewport
+from app.scene.skeleton_caption import SkeletonCaption
+from app.scene.skeleton_graph import GraphActors, node_radius
+from app.scene.skeleton_legend import BandLegend
+from app.scene.skeleton_panes import SkeletonLook, SkeletonPane, grown_nodes
+from app.scene.skeleton_shells import ShellActor
+from app.scene.skeleton_surface import BandedSurface, CurveActor, PieceActor
+from core.arrays import FloatArray
+
+SHAPE = (1, 2)
+"""Shape a plotter needs."""
+
+_PEELS = 10
+_XRAY = 0.5
+_CLICK_PIXELS = 9.0
+_NOWHERE = Viewport(0.0, 0.0, 0.0, 0.0)
+
+
+class _Slot:
+    """The actors of one pane in their renderer, and an overlay that no surface hides."""
+
+    def __init__(self, renderer: pv.Renderer) -> None:
+        self.renderer = renderer
+        self.overlay = vtkRenderer()
+        self.overlay.SetLayer(1)
+        self.overlay.InteractiveOff()
+        self.surface, self.curves, self.piece = BandedSurface(), CurveActor(), PieceActor()
+        self.shells, self.graph, self.xray = ShellActor(), GraphActors(), GraphActors()
+        self.caption, self.legend = SkeletonCaption(), BandLegend()
+        inside = (self.surface.actor, self.curves.actor, self.piece.actor, self.shells.actor)
+        for actor in (*inside, *self.graph.actors):
+            renderer.AddActor(actor)
+        for actor in self.xray.actors:
+            self.overlay.AddActor(actor)
+            actor.GetProperty().SetOpacity(_XRAY)
+        self.caption.add_to(renderer)
+        self.legend.add_to(renderer)
+        for each in (renderer, self.overlay):
+            each.SetUseDepthPeeling(True)
+            each.SetMaximumNumberOfPeels(_PEELS)
+            each.SetOcclusionRatio(0.0)
+
+    def show(self, pane: SkeletonPane, look: SkeletonLook, width: float, height: float) -> None:
+        for part in (self.surface, self.curves, self.piece, self.shells, self.graph, self.xray):
+            part.show(pane, look)
+        self.caption.show(pane, look, height)
+        self.legend.show(pane, look, self.surface.table)
+        self.legend.place(width, height, look.text_scale)
+
+    def place(self, viewport: Viewport) -> None:
+        for each in (self.renderer, self.overlay):
+            each.SetViewport(viewport)
+            each.SetDraw(viewport != _NOWHERE)
+
+    def use(self, camera: pv.Camera) -> None:
+        self.renderer.SetActiveCamera(camera)
+        # Else PyVista chooses a view of its own at the first picture.
+        self.renderer.camera.is_set = True
+        self.overlay.SetActiveCamera(camera)
+
+
+class SkeletonGrid:
+    """Draws panes into a PyVista plotter, on a screen or off it.
+
+    Parameters
+    ----------
+    plotter : pyvista.BasePlotter
+        Made with ``shape=SHAPE, border=False``.
+    """
+
+    def __init__(self, plotter: pv.BasePlotter) -> None:
+        self.plotter = plotter
+        self.viewports: list[Viewport] = []
+        self._panes: list[SkeletonPane] = []
+        self._look: SkeletonLook | None = None
+        self._slots = [_Slot(renderer) for renderer in plotter.renderers]
+        window = plotter.render_window
+        # Multisampling hides translucent surfaces under depth peeling.
+        window.SetMultiSamples(0)
+        window.SetAlphaBitPlanes(True)
+        window.SetNumberOfLayers(2)
+        self.camera = pv.Camera()
+        for slot in self._slots:
+            window.AddRenderer(slot.overlay)
+            slot.use(self.camera)
+
+    def show(
+        self, panes: Sequence[SkeletonPane], look: SkeletonLook, size: tuple[int, int]
+    ) -> None:
+        """Draw one or two panes side by side in a window of `size` pixels."""
+        self._panes, self._look = list(panes), look
+        self.viewports = [
+            Viewport(i / len(panes), 0.0, (i + 1) / len(panes), 1.0) for i in range(len(panes))
+        ]
+        spare = [_NOWHERE] * (len(self._slots) - len(panes))
+        for slot, viewport in zip(self._slots, [*self.viewports, *spare], strict=True):
+            slot.place(viewport)
+        for index, pane in enumerate(self._panes):
+            self._slots[index].show(pane, look, size[0] / len(panes), size[1])
+            chosen = index == look.selected and len(panes) > 1
+            colour = look.theme.accent if chosen else look.theme.faint
+            self._slots[index].renderer.add_border(colour, (3 if chosen else 1) * look.text_scale)
+
+    def set_ground(self, bottom: str, top: str | None) -> None:
+        """Colour the background, with a gradient if `top` is given."""
+        for slot in self._slots:
+            slot.renderer.set_background(bottom, top=top)
+
+    @property
+    def pose(self) -> CameraPose:
+        """Where the camera stands."""
+        return CameraPose.of(self.camera)
+
+    def set_pose(self, pose: CameraPose) -> None:
+        """Put the camera into a pose."""
+        pose.apply(self.camera)
+        self.fit_clipping()
+
+    def look_from(self, preset: str, size: tuple[int, int]) -> None:
+        """Show the whole model from a preset direction."""
+        radii = [
+            np.linalg.norm(pane.skeleton.mesh.vertices - pane.centre, axis=1).max()
+            for pane in self._panes
+            if pane.skeleton is not None
+        ]
+        if radii:
+            aspect = size[0] / max(len(self._panes), 1) / max(size[1], 1)
+            self.set_pose(preset_pose(preset, float(max(radii)), aspect))
+
+    def fit_clipping(self) -> None:
+        """Set the clipping range from all that is shown, since the camera is shared."""
+        bounds = [
+            slot.renderer.ComputeVisiblePropBounds()
+            for slot, _ in zip(self._slots, self._panes, strict=False)
+        ]
+        valid = np.array([b for b in bounds if b[0] <= b[1]]).reshape(-1, 3, 2)
+        if not len(valid):
+            return
+        union = np.stack([valid[..., 0].min(axis=0), valid[..., 1].max(axis=0)], axis=1).ravel()
+        for slot in self._slots:
+            slot.renderer.ResetCameraClippingRange(union)
+
+    def pane_at(self, x: float, y: float) -> int | None:
+        """Return the pane at a point, in shares of the window from the lower left corner."""
+        return next((i for i, port in enumerate(self.viewports) if port.holds(x, y)), None)
+
+    def node_at(self, pane: int, x: float, y: float, size: tuple[int, int]) -> int | None:
+        """Return the node at a point of a pane, in shares of a window of `size` pixels."""
+        shown, look = self._panes[pane], self._look
+        if shown.skeleton is None or look is None or not look.settings.show_graph:
+            return None
+        grown = np.flatnonzero(grown_nodes(shown.skeleton.graph, shown.step))
+        places, depths, pixels = self._project(pane, size)
+        distances = np.linalg.norm(places[grown] - np.array([x, y]) * size, axis=1)
+        radius = node_radius(shown.skeleton, look.settings.node_size)
+        reach = np.maximum(radius * pixels[grown], _CLICK_PIXELS * look.text_scale)
+        hit = np.flatnonzero(distances < reach)
+        return (
+            int(grown[hit[np.argmin(distances[hit] + 1e-3 * depths[grown][hit])]])
+            if len(hit)
+            else None
+        )
+
+    def _project(
+        self, pane: int, size: tuple[int, int]
+    ) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Pixels of a pane's nodes, their depths, and pixels per model unit at each."""
+        shown, port = self._panes[pane], self.viewports[pane]
+        assert shown.skeleton is not None
+        _, _, width, height = port.pixels(*size)
+        matrix = self.camera.GetCompositeProjectionTransformMatrix(width / height, -1, 1)
+        rows = np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
+        points = shown.skeleton.graph.nodes - shown.centre
+        clip = np.column_stack([points, np.ones(len(points))]) @ rows.T
+        share = clip[:, :2] / clip[:, 3:] / 2 + 0.5
+        places = share * (width, height) + (port.left * size[0], port.bottom * size[1])
+        scale = height / 2 / np.tan(np.radians(self.camera.GetViewAngle() / 2)) / clip[:, 3]
+        return places, clip[:, 3], scale

@@ -1,0 +1,174 @@
+"""Skeletal graphs of the window, each stage kept under what it was computed from."""
+
+import time
+from collections import OrderedDict
+from collections.abc import Callable, Hashable
+from dataclasses import dataclass
+from typing import TypeVar
+
+from core.arrays import FloatArray
+from core.fields import ScalarField, scalar_field
+from core.mesh import TriangleMesh
+from core.mesh.remesh import decimated
+from core.skeleton import (
+    ComponentSurface,
+    LevelCurves,
+    LoopCheck,
+    SkeletalGraph,
+    component_surfaces,
+    graph_of,
+    level_curves,
+    level_rule,
+    loop_checks,
+)
+from core.skeleton.levels import LevelRule
+from core.study import SkeletonView
+
+T = TypeVar("T")
+
+_FEW = 6
+_MANY = 160
+
+
+@dataclass(frozen=True, eq=False)
+class SkeletonSource:
+    """A surface that a graph can be drawn of.
+
+    Attributes
+    ----------
+    key : str
+        Says what it was made from; equal keys mean equal meshes.
+    build : callable
+        Makes the mesh; may be called on the worker thread.
+    """
+
+    key: str
+    build: Callable[[], TriangleMesh]
+
+
+@dataclass(frozen=True, eq=False)
+class Skeleton:
+    """A skeletal graph with all that it was drawn from.
+
+    Attributes
+    ----------
+    view : SkeletonView
+        What was asked for.
+    mesh : TriangleMesh
+        The surface; the same object as long as the surface is the same.
+    field : ScalarField
+        Its field.
+    levels : (R − 1,) float64 ndarray
+        The levels.
+    graph : SkeletalGraph
+        The graph.
+    curves : LevelCurves
+        The level curves.
+    checks : tuple of LoopCheck
+        Loops beside the genus, component by component.
+    seconds : float
+        Time from the field to the graph with its curves.
+    """
+
+    view: SkeletonView
+    mesh: TriangleMesh
+    field: ScalarField
+    levels: FloatArray
+    graph: SkeletalGraph
+    curves: LevelCurves
+    checks: tuple[LoopCheck, ...]
+    seconds: float
+
+    @property
+    def genus(self) -> int | None:
+        """Genus summed over the components, None where one of them has none."""
+        known = [check.genus for check in self.checks]
+        return None if None in known else sum(genus or 0 for genus in known)
+
+
+class _Kept:
+    """The last few values by key."""
+
+    def __init__(self, limit: int) -> None:
+        self._limit = limit
+        self._values: OrderedDict[Hashable, object] = OrderedDict()
+
+    def get(self, key: Hashable, make: Callable[[], T]) -> T:
+        """Return the value under a key, made if it is not there."""
+        if key not in self._values:
+            self._values[key] = make()
+        self._values.move_to_end(key)
+        while len(self._values) > self._limit:
+            self._values.popitem(last=False)
+        value: T = self._values[key]  # type: ignore[assignment]
+        return value
+
+
+class SkeletonMaker:
+    """Draws skeletal graphs and keeps meshes, fields and graphs; for one thread."""
+
+    def __init__(self) -> None:
+        self._meshes = _Kept(_FEW)
+        self._surfaces = _Kept(_FEW)
+        self._fields = _Kept(_FEW)
+        self._rules = _Kept(_FEW)
+        self._graphs = _Kept(_MANY)
+
+    def make(self, source: SkeletonSource, view: SkeletonView) -> Skeleton:
+        """Draw the graph of a view.
+
+        Raises
+        ------
+        ParameterError, MeshError
+            If a setting is not allowed or the surface has no graph.
+        """
+        mesh, key = self.mesh(source, view), _mesh_key(source, view)
+        field, key = self.field(source, view), f"{key}|{_field_key(view)}"
+        rule: LevelRule = self._rules.get(
+            (key, view.spacing), lambda: level_rule(mesh, field, view.spacing)
+        )
+        surfaces = self._component_surfaces(source, view)
+        return self._graphs.get(
+            (key, view.model_dump_json()),
+            lambda: _draw(view, mesh, field, rule(view.resolution), surfaces),
+        )
+
+    def mesh(self, source: SkeletonSource, view: SkeletonView) -> TriangleMesh:
+        """Return the surface of a view, decimated as it asks."""
+        whole = self._meshes.get(source.key, source.build)
+        return self._meshes.get(_mesh_key(source, view), lambda: decimated(whole, view.keep))
+
+    def field(self, source: SkeletonSource, view: SkeletonView) -> ScalarField:
+        """Return the field of a view."""
+        mesh = self.mesh(source, view)
+        key = f"{_mesh_key(source, view)}|{_field_key(view)}"
+        return self._fields.get(key, lambda: scalar_field(mesh, view.field, **view.params))
+
+    def _component_surfaces(
+        self, source: SkeletonSource, view: SkeletonView
+    ) -> tuple[ComponentSurface, ...]:
+        mesh = self.mesh(source, view)
+        return self._surfaces.get(mesh.topology, lambda: component_surfaces(mesh))
+
+
+def _draw(
+    view: SkeletonView,
+    mesh: TriangleMesh,
+    field: ScalarField,
+    levels: FloatArray,
+    surfaces: tuple[ComponentSurface, ...],
+) -> Skeleton:
+    started = time.perf_counter()
+    graph = graph_of(mesh, field, levels, bands=view.bands, root=view.root)
+    curves = level_curves(mesh, field, levels)
+    checks = loop_checks(mesh, graph, surfaces)
+    seconds = time.perf_counter() - started
+    return Skeleton(view, mesh, field, levels, graph, curves, checks, seconds)
+
+
+def _mesh_key(source: SkeletonSource, view: SkeletonView) -> str:
+    return f"{source.key}|{view.keep}"
+
+
+def _field_key(view: SkeletonView) -> str:
+    return f"{view.field} {view.settings.model_dump_json()}"

@@ -1,0 +1,86 @@
+"""The drawing area of the Skeleton tab: a click picks a node and selects its view."""
+
+from PySide6.QtCore import QEvent, QPoint, QSize, QTimer, Signal
+from PySide6.QtGui import QMouseEvent, QResizeEvent
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from app.scene.skeleton_grid import SHAPE, SkeletonGrid
+from app.scene.skeleton_panes import SkeletonLook, SkeletonPane
+from app.ui.interactor import Interactor
+
+_CLICK_PIXELS = 4
+
+
+class SkeletonViewport(QWidget):
+    """Shows one or two skeletal graphs.
+
+    Signals
+    -------
+    clicked(int, object) : the pane, and the node there or None.
+    """
+
+    clicked = Signal(int, object)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.interactor = Interactor(self, SHAPE)
+        self.interactor.installEventFilter(self)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self.interactor)
+        self.grid = SkeletonGrid(self.interactor)
+        self._panes: list[SkeletonPane] = []
+        self._look: SkeletonLook | None = None
+        self._pressed: QPoint | None = None
+        self.interactor.render_window.AddObserver("StartEvent", lambda *_: self.grid.fit_clipping())
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(320, 200)
+
+    def show_panes(self, panes: list[SkeletonPane], look: SkeletonLook) -> None:
+        """Draw panes; the camera stays where it is."""
+        self._panes, self._look = panes, look
+        self.grid.set_ground(look.theme.ground, look.theme.ground_top)
+        self.grid.show(panes, look, self.pixel_size())
+        self.interactor.update()
+
+    def pixel_size(self) -> tuple[int, int]:
+        """Size of the drawing area in device pixels."""
+        return self.interactor.pixel_size()
+
+    def look_from(self, preset: str) -> None:
+        """Show the whole model from a preset direction."""
+        self.grid.look_from(preset, self.pixel_size())
+        self.interactor.update()
+
+    def close_interactor(self) -> None:
+        """Release the graphics; the widget cannot be used any more."""
+        self.interactor.removeEventFilter(self)
+        self.interactor.close()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        # The interactor gets its size after this event; draw with the new one.
+        QTimer.singleShot(0, self, self._redraw)
+
+    def eventFilter(self, watched: QWidget, event: QEvent) -> bool:
+        if isinstance(event, QMouseEvent):
+            if event.type() == QEvent.Type.MouseButtonPress:
+                self._pressed = event.position().toPoint()
+            elif event.type() == QEvent.Type.MouseButtonRelease:
+                self._release(event.position().toPoint())
+        return False
+
+    def _release(self, point: QPoint) -> None:
+        pressed, self._pressed = self._pressed, None
+        if pressed is None or (point - pressed).manhattanLength() >= _CLICK_PIXELS:
+            return
+        size = self.interactor.size()
+        x, y = point.x() / max(size.width(), 1), 1 - point.y() / max(size.height(), 1)
+        pane = self.grid.pane_at(x, y)
+        if pane is not None:
+            self.clicked.emit(pane, self.grid.node_at(pane, x, y, self.pixel_size()))
+
+    def _redraw(self) -> None:
+        if self._look is not None:
+            self.show_panes(self._panes, self._look)

@@ -1,0 +1,31 @@
+"""Progress of long work: what is there so far, and how much of it that is."""
+
+from collections.abc import Iterator
+from typing import Generic, NamedTuple, TypeVar
+
+T = TypeVar("T")
+
+
+class Progress(NamedTuple, Generic[T]):
+    """One step of long work; whoever iterates may stop after any of them.
+
+    Attributes
+    ----------
+    value : T or None
+        The result so far, None while there is nothing to show.
+    share : float
+        Share of the work that is done, 1 at the end.
+    """
+
+    value: T | None
+    share: float
+
+
+def finished(steps: Iterator[Progress[T]]) -> T:
+    """Carry long work out and return its result."""
+    value: T | None = None
+    for step in steps:
+        value = step.value
+    if value is None:
+        raise ValueError("The work ended without a result.")
+    return value

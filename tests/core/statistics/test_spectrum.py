@@ -1,0 +1,121 @@
+"""Spectra: closed forms, the two methods against each other, zero eigenvalues."""
+
+import networkx as nx
+import numpy as np
+import pytest
+
+from core import load_mesh
+from core.mesh import TriangleMesh, primitives
+from core.statistics import SpectrumParams, finished, spectrum_steps
+
+MATRICES = ("laplacian", "normalized_laplacian")
+
+
+def spectrum(mesh, **params):
+    return finished(spectrum_steps(mesh, SpectrumParams(**params)))
+
+
+def joined(*meshes):
+    faces, vertices, count = [], [], 0
+    for mesh in meshes:
+        faces.append(mesh.faces + count)
+        vertices.append(mesh.vertices)
+        count += len(mesh.vertices)
+    return TriangleMesh(np.concatenate(vertices), np.concatenate(faces))
+
+
+def torus_eigenvalues(around, across):
+    """Closed form: the torus of degree 6 is a lattice with periodic ends."""
+    a, b = np.meshgrid(np.arange(around) / around, np.arange(across) / across)
+    cosines = np.cos(2 * np.pi * a) + np.cos(2 * np.pi * b) + np.cos(2 * np.pi * (a + b))
+    return np.sort((6 - 2 * cosines).ravel())[::-1]
+
+
+def test_tetrahedron_by_hand():
+    """The complete graph of 4 vertices: 0 and three times 4."""
+    result = spectrum(primitives.tetrahedron())
+    assert result.eigenvalues == pytest.approx([4, 4, 4, 0])
+    assert result.ranks == pytest.approx([0.125, 0.375, 0.625, 0.875])
+    assert result.algebraic_connectivity == pytest.approx(4)
+    assert (result.zero_count, result.exact, result.error) == (1, True, 0)
+    normalized = spectrum(primitives.tetrahedron(), matrix="normalized_laplacian")
+    assert normalized.eigenvalues == pytest.approx([4 / 3, 4 / 3, 4 / 3, 0])
+
+
+def test_torus_has_its_closed_form():
+    result = spectrum(primitives.torus(12, 7))
+    assert np.allclose(result.eigenvalues, torus_eigenvalues(12, 7), atol=1e-10)
+
+
+def test_approximation_covers_the_closed_form():
+    exact = torus_eigenvalues(90, 61)
+    result = spectrum(primitives.torus(90, 61))
+    assert not result.exact
+    ranks = (np.arange(len(exact)) + 0.5) / len(exact)
+    true = np.interp(result.ranks, ranks, exact)
+    assert np.all((result.low <= true + 1e-9) & (true <= result.high + 1e-9))
+    assert np.allclose(result.largest, np.sort(exact)[-20:], atol=1e-8)
+    assert np.allclose(result.smallest, np.sort(exact)[:20], atol=1e-8)
+
+
+@pytest.mark.parametrize("matrix", MATRICES)
+def test_two_methods_agree_on_the_camel(shared_models, matrix):
+    mesh = load_mesh(shared_models / "camel_2444.ply")
+    dense = spectrum(mesh, matrix=matrix)
+    other = spectrum(mesh, matrix=matrix, dense_limit=0)
+    true = np.interp(other.ranks, dense.ranks, dense.eigenvalues)
+    assert np.abs(true - other.eigenvalues).max() < 0.01 * dense.largest[-1]
+    assert np.mean((other.low <= true + 1e-9) & (true <= other.high + 1e-9)) > 0.99
+    assert np.allclose(other.largest, dense.largest, atol=1e-8)
+    assert np.allclose(other.smallest, dense.smallest, atol=1e-8)
+    assert np.all(np.diff(other.eigenvalues) <= 1e-12)
+
+
+@pytest.mark.parametrize("matrix", MATRICES)
+@pytest.mark.parametrize("dense_limit", [0, 4000])
+def test_zero_eigenvalues_count_the_components(matrix, dense_limit):
+    mesh = joined(primitives.sphere(2), primitives.torus(), primitives.grid())
+    result = spectrum(mesh, matrix=matrix, dense_limit=dense_limit)
+    assert result.zero_count == mesh.topology.component_count == 3
+    assert result.algebraic_connectivity == 0
+    assert result.smallest[3] > 1e-3
+
+
+@pytest.mark.parametrize("dense_limit", [0, 4000])
+def test_many_components_do_not_confuse_the_lanczos_method(dense_limit):
+    mesh = joined(*[primitives.tetrahedron()] * 40)
+    result = spectrum(mesh, dense_limit=dense_limit)
+    assert result.zero_count == 40
+    assert np.all(result.smallest == 0)
+    assert np.allclose(result.largest, 4)
+
+
+@pytest.mark.filterwarnings("ignore::FutureWarning")
+def test_eigenvalues_agree_with_networkx():
+    mesh = TriangleMesh(np.eye(6, 3), [[0, 1, 2], [0, 1, 3], [0, 1, 4]])
+    graph = nx.from_scipy_sparse_array(mesh.topology.adjacency)
+    theirs = nx.normalized_laplacian_matrix(graph).toarray()
+    ours = spectrum(mesh, matrix="normalized_laplacian")
+    assert np.allclose(ours.eigenvalues[::-1], np.linalg.eigvalsh(theirs), atol=1e-12)
+    assert ours.zero_count == 2
+
+
+def test_sum_is_the_trace():
+    mesh = primitives.sphere(3)
+    assert spectrum(mesh).eigenvalues.sum() == pytest.approx(2 * len(mesh.edges))
+
+
+def test_same_seed_same_curve():
+    mesh = primitives.sphere(3)
+    one, same, other = (spectrum(mesh, dense_limit=0, seed=s).eigenvalues for s in (1, 1, 2))
+    assert np.array_equal(one, same)
+    assert not np.array_equal(one, other)
+
+
+def test_progress_grows_and_can_be_left():
+    shares = [step.share for step in spectrum_steps(primitives.sphere(3))]
+    assert shares == sorted(shares)
+    assert (shares[0], shares[-1]) == (0, 1)
+    steps = spectrum_steps(primitives.sphere(3), SpectrumParams(dense_limit=0))
+    assert next(steps).value is None
+    steps.close()
