@@ -124,6 +124,7 @@ class DenoiseTab(QMainWindow):
         self.session.study_changed.connect(self._on_study_changed)
         self.session.meshes_changed.connect(self._on_meshes_changed)
         self.session.run_changed.connect(self._on_run_changed)
+        self.session.activity_changed.connect(self._on_activity_changed)
         for view in (self.viewport, self.methods, self.plot, self.table):
             view.selected.connect(self.select)
         self.model.noisy_file_requested.connect(self.noisy_file_requested)
@@ -133,6 +134,10 @@ class DenoiseTab(QMainWindow):
         if not self._redraw_timer.isActive():
             pause = _PAUSE * self.viewport.draw_seconds if self.session.activity else 0
             self._redraw_timer.start(max(_REDRAW_MS, round(1000 * pause)))
+
+    def _on_activity_changed(self) -> None:
+        if self.session.activity is None:
+            self._soon()
 
     def _soon(self) -> None:
         self._redraw_timer.start(_REDRAW_MS)

@@ -116,7 +116,8 @@ class Topology:
     @cached_property
     def boundary_edges(self) -> BoolArray:
         """Mask of the edges with one face, (e,)."""
-        return self.edge_corners.lengths == 1
+        mask: BoolArray = self.edge_corners.lengths == 1
+        return mask
 
     @cached_property
     def boundary_vertices(self) -> BoolArray:

@@ -54,7 +54,7 @@ def test_visual_error_refuses_other_meshes(ball):
 
 def test_vertex_rms_by_hand():
     # The mean edge length is 4; one of three vertices moves by 6: sqrt(36/3)/4.
-    moved = TRIANGLE.vertices + [[0, 0, 6], [0, 0, 0], [0, 0, 0]]
+    moved = TRIANGLE.vertices + np.array([[0, 0, 6], [0, 0, 0], [0, 0, 0]])
     evaluator = METRICS["vertex_rms"].evaluator(TRIANGLE)
     assert evaluator.value(moved) == pytest.approx(np.sqrt(12) / 4)
     assert evaluator.elements(moved).tolist() == [1.5, 0, 0]

@@ -48,7 +48,7 @@ def test_mean_filter_by_hand():
     means /= np.linalg.norm(means, axis=1, keepdims=True)
     centroids = PYRAMID.vertices[PYRAMID.faces].mean(axis=1)
     heights = np.einsum("tx,tx->t", centroids - [0, 0, 1], means)
-    expected = [0, 0, 1] + (heights[:, None] * means).mean(axis=0)
+    expected = np.array([0, 0, 1]) + (heights[:, None] * means).mean(axis=0)
     assert tip("mean") == pytest.approx(expected)
 
 

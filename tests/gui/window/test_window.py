@@ -252,13 +252,13 @@ def test_saved_mesh_plot_and_table_hold_what_was_shown(user, ball_file, tmp_path
 def test_a_file_that_cannot_be_written_is_one_sentence(user, ball_file, tmp_path):
     user.open(ball_file)
     user.click_pane("mean")
-    from app.ui import saving
-
-    saving._ask(
-        user.window, "Save", "x.ply", "PLY (*.ply)",
-        lambda path: saving.save_mesh(saving.shown_mesh(user.window, "mean"), tmp_path / "no" / path.name),
-    )  # fmt: skip
-    user.answer_file_dialog(tmp_path / "x.ply")
+    folder = tmp_path / "gone"
+    folder.mkdir()
+    user.press(Qt.Key.Key_S, CONTROL)
+    user.wait(user.file_dialogs)
+    dialog = user.file_dialogs()[0]
+    folder.rmdir()
+    dialog.fileSelected.emit(str(folder / "x.ply"))
     assert "x.ply" in shown_message(user)
 
 

@@ -1,0 +1,73 @@
+"""The statistics of one model as the plots and tables want them, whole or half computed."""
+
+from dataclasses import dataclass
+
+from core.statistics import (
+    ByDegree,
+    Connectivity,
+    GeodesicDistances,
+    MeshStatistics,
+    Spectrum,
+    assortativity,
+    clustering,
+    degree_distribution,
+)
+
+SERIES_COLOURS = ("#1a80c4", "#d55e00")
+"""Colours of the first model and of the one laid over it, safe for colour-blind eyes."""
+
+
+@dataclass(frozen=True, eq=False)
+class Series:
+    """One model in the plots.
+
+    Attributes
+    ----------
+    name : str
+        Its label.
+    colour : str
+        Its colour.
+    connectivity : Connectivity
+        Degree, average neighbour degree and clustering of every vertex.
+    degree, assortativity, clustering : ByDegree
+        p_k, K_nn(k) and C(k).
+    spectrum : Spectrum or None
+        None while it is not there yet.
+    geodesic : GeodesicDistances or None
+        None while it is not there yet.
+    """
+
+    name: str
+    colour: str
+    connectivity: Connectivity
+    degree: ByDegree
+    assortativity: ByDegree
+    clustering: ByDegree
+    spectrum: Spectrum | None = None
+    geodesic: GeodesicDistances | None = None
+
+    @classmethod
+    def of_vertices(cls, name: str, colour: str, vertices: Connectivity) -> "Series":
+        """Make a series of what is there at once."""
+        return cls(
+            name,
+            colour,
+            vertices,
+            degree_distribution(vertices),
+            assortativity(vertices),
+            clustering(vertices),
+        )
+
+    @classmethod
+    def of_statistics(cls, name: str, statistics: MeshStatistics) -> "Series":
+        """Make a series of everything, with the spectrum of L."""
+        return cls(
+            name,
+            SERIES_COLOURS[0],
+            statistics.connectivity,
+            statistics.degree,
+            statistics.assortativity,
+            statistics.clustering,
+            statistics.spectrum,
+            statistics.geodesic,
+        )

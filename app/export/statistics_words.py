@@ -1,0 +1,102 @@
+"""What each plot of the statistics shows and how to read it, in one line of plain words."""
+
+from collections.abc import Callable, Iterable, Sequence
+
+import numpy as np
+
+from app.export.statistics_series import Series
+
+_NEUTRAL = 0.03
+
+
+def plot_words(plot: str, series: Sequence[Series]) -> str:
+    """Say what a plot shows; the numbers of two models stand side by side."""
+    return _WORDS[plot](series) if series else ""
+
+
+def _spectrum(series: Sequence[Series]) -> str:
+    known = [one.spectrum for one in series if one.spectrum]
+    if not known:
+        return "Eigenvalues of the Laplacian, largest first."
+    connectivity = _beside(f"{one.algebraic_connectivity:.2g}" for one in known)
+    zeros = _beside(f"{one.zero_count:,}" for one in known)
+    return (
+        f"Eigenvalues of the Laplacian, largest first; λ₂ = {connectivity}, "
+        f"zero eigenvalues = pieces: {zeros}. A high start means tightly knit vertices."
+        f"{_accuracy(series)}"
+    )
+
+
+def _accuracy(series: Sequence[Series]) -> str:
+    rough = [one.spectrum for one in series if one.spectrum and not one.spectrum.exact]
+    return f" Approximate, ±{max(one.error for one in rough):.2g} (shaded)." if rough else ""
+
+
+def _degree(series: Sequence[Series]) -> str:
+    mean = _beside(f"{one.connectivity.degrees.mean():.4g}" for one in series)
+    tallest = [max(one.degree, key=one.degree.__getitem__) for one in series]
+    most = _beside(
+        f"{100 * one.degree[k]:.0f} % have {k}" for one, k in zip(series, tallest, strict=True)
+    )
+    return (
+        f"Share of the vertices with k neighbours: {most}; on average {mean}. "
+        "A regular mesh has a single bar at 6."
+    )
+
+
+def _assortativity(series: Sequence[Series]) -> str:
+    words = _beside(_mixing(one.connectivity.assortativity_coefficient) for one in series)
+    return (
+        f"Average degree of the neighbours of a vertex with k of them. {words}. "
+        "Level with the dashed line: degrees of neighbours are unrelated."
+    )
+
+
+def _mixing(coefficient: float) -> str:
+    if np.isnan(coefficient):
+        return "All degrees are equal"
+    if abs(coefficient) < _NEUTRAL:
+        return f"Neither rising nor falling (r = {coefficient:.2f})"
+    word = "Rising: assortative" if coefficient > 0 else "Falling: disassortative"
+    return f"{word} (r = {coefficient:.2f})"
+
+
+def _clustering(series: Sequence[Series]) -> str:
+    mean = _beside(f"{one.connectivity.clustering.mean():.3g}" for one in series)
+    return (
+        "Share of a vertex's neighbours that are neighbours of each other: 1 is all of them, "
+        f"on average {mean}. Dashed: 2/(k − 1), the thesis' value inside a surface."
+    )
+
+
+def _geodesic(series: Sequence[Series]) -> str:
+    known = [one.geodesic for one in series if one.geodesic]
+    if not known:
+        return "How far the vertices are from each other along the surface."
+    peaks = _beside(_peaks(one.modes) for one in known)
+    lost = _beside(f"{one.unreachable_pairs:,} of {one.pairs:,}" for one in known)
+    rest = f" No path between {lost} pairs." if any(one.unreachable_pairs for one in known) else ""
+    return (
+        f"How far two vertices are from each other: {peaks}. "
+        f"Limbs and humps show as further peaks.{rest}"
+    )
+
+
+def _peaks(modes: Sequence[float]) -> str:
+    if not len(modes):
+        return "no peak"
+    places = ", ".join(f"{mode:.3g}" for mode in modes)
+    return f"{len(modes)} peak{'s' if len(modes) > 1 else ''} at {places} ℓ̄"
+
+
+def _beside(words: Iterable[str]) -> str:
+    return " | ".join(words)
+
+
+_WORDS: dict[str, Callable[[Sequence[Series]], str]] = {
+    "spectrum": _spectrum,
+    "degree": _degree,
+    "assortativity": _assortativity,
+    "clustering": _clustering,
+    "geodesic": _geodesic,
+}
