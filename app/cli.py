@@ -64,6 +64,7 @@ def compare(
     methods: str | None = None,
     iterations: int | None = None,
     set_: Annotated[list[str] | None, Parameter(name="--set")] = None,
+    model_units: Annotated[bool, Parameter(negative="")] = False,
     output: Annotated[Path | None, Parameter(name=["-o", "--output"])] = None,
     json_: Annotated[bool, Parameter(name="--json", negative="")] = False,
 ) -> None:
@@ -85,6 +86,8 @@ def compare(
         Iterations of every method.
     set_
         Parameter of a method as id.parameter=value; may be given several times.
+    model_units
+        Errors in the file's own units and origin instead of mean edge lengths.
     output
         Folder for pictures, plot, table and meshes.
     json_
@@ -101,6 +104,7 @@ def compare(
         noisy=noisy,
         noise=build_params(NoiseParams, {"sigma": sigma, "seed": seed}, "noise"),
         methods=_choices(methods, iterations, set_ or []),
+        model_units=model_units,
     )
     result = run(study)
     if output is not None:

@@ -15,7 +15,7 @@ import numpy as np
 from core.arrays import FloatArray
 from core.io import LoadedMesh, read_mesh, sample_path
 from core.mesh import TriangleMesh
-from core.metrics import METRICS, Evaluator
+from core.metrics import Evaluator, metrics_in
 from core.noise import add_noise
 from core.parameters import ParameterError
 from core.smoothing import DivergenceError, DivergenceGuard, method_spec
@@ -30,15 +30,19 @@ class Comparison:
     ----------
     original, noisy : TriangleMesh
         Meshes with the same topology.
+    model_units : bool
+        Errors in the file's own units and origin instead of mean edge lengths.
     """
 
     original: TriangleMesh
     noisy: TriangleMesh
+    model_units: bool = False
 
     @cached_property
     def evaluators(self) -> dict[str, Evaluator]:
         """Evaluator of each metric against the original."""
-        return {id_: spec.evaluator(self.original) for id_, spec in METRICS.items()}
+        specs = metrics_in(model_units=self.model_units)
+        return {id_: spec.evaluator(self.original) for id_, spec in specs.items()}
 
     @cached_property
     def noisy_errors(self) -> dict[str, float]:
@@ -165,8 +169,9 @@ def read_comparison(study: Study) -> tuple[Comparison, tuple[str, ...]]:
     loaded = read_model(study.model)
     if study.noisy is None:
         noisy = add_noise(loaded.mesh, study.noise.sigma, study.noise.seed)
-        return Comparison(loaded.mesh, noisy), loaded.report
-    return Comparison(loaded.mesh, matched(loaded.mesh, read_model(study.noisy))), loaded.report
+    else:
+        noisy = matched(loaded.mesh, read_model(study.noisy))
+    return Comparison(loaded.mesh, noisy, study.model_units), loaded.report
 
 
 def matched(original: TriangleMesh, noisy: LoadedMesh) -> TriangleMesh:

@@ -6,6 +6,7 @@ It is what a file, an undo step and a command line hold; :mod:`core.comparison` 
 from typing import Literal
 
 from core.fields import field_spec
+from core.metrics import MetricSpec, metrics_in
 from core.noise import NoiseParams
 from core.parameters import Params, build_params, param
 from core.skeleton import Bands, Spacing
@@ -116,8 +117,16 @@ class Study(Params):
     noise: NoiseParams = param(NoiseParams(), help="Noise added to the original.")
     methods: tuple[MethodChoice, ...] = param(default_choices(), help="Methods in display order.")
     metric: str = param("visual_error", help="Metric of the plot.")
+    model_units: bool = param(
+        False, help="Errors in the file's own units and origin instead of mean edge lengths."
+    )
     view: ViewSettings = param(ViewSettings(), help="How the panes look.")
     skeleton: SkeletonSettings = param(SkeletonSettings(), help="What the Skeleton tab shows.")
+
+    @property
+    def metrics(self) -> dict[str, MetricSpec]:
+        """All metrics by id, in the units of the study."""
+        return metrics_in(model_units=self.model_units)
 
     def choice(self, method: str) -> MethodChoice:
         """Return the choice made for a method; one that the study leaves out is not enabled."""

@@ -11,7 +11,6 @@ from app.export.tables import as_csv, as_markdown, study_rows
 from app.scene.comparison import study_look, study_panes
 from core.comparison import StudyResult
 from core.io import SaveError, save_mesh
-from core.metrics import METRICS
 
 _PICTURE_SIZE = (1920, 1080)
 _TEXT_SCALE = 1.5
@@ -54,7 +53,7 @@ def _write_meshes(result: StudyResult, folder: Path) -> None:
 
 
 def _write_pictures(result: StudyResult, folder: Path) -> None:
-    metric = METRICS[result.study.metric]
+    metric = result.study.metrics[result.study.metric]
     noisy = result.comparison.noisy_errors[metric.id]
     curves = error_curves(study_outcomes(result), metric.id)
     for suffix in ("svg", "png"):

@@ -24,6 +24,7 @@ def comparison_json(result: StudyResult) -> dict[str, Any]:
             "mean_edge_length": original.mean_edge_length,
             "changes": list(result.report),
         },
+        "units": "model" if study.model_units else "mean edge length",
         "noise": noise,
         "noisy": result.comparison.noisy_errors,
         "methods": [_method_json(method) for method in result.methods],

@@ -2,8 +2,8 @@
 
 import json
 from pathlib import Path
+from typing import Any
 
-import numpy as np
 from matplotlib.figure import Figure, SubFigure
 
 from app.export.frame import FONT_SIZE
@@ -51,7 +51,8 @@ def write_statistics(
 def statistics_figure(name: str, mesh: TriangleMesh, series: Series) -> Figure:
     """Draw the model and the five plots as in thesis figures 3.2–3.7."""
     figure = Figure(figsize=(13.0, 7.4), facecolor=LIGHT.panel, layout="constrained")
-    cells: list[SubFigure] = list(np.ravel(figure.subfigures(2, 3)))
+    grid: Any = figure.subfigures(2, 3)
+    cells: list[SubFigure] = grid.ravel().tolist()
     _draw_model(cells[0], name, model_picture(mesh))
     for letter, cell, spec in zip("bcdef", cells[1:], PLOTS.values(), strict=True):
         spec.draw(cell, [series], LIGHT)

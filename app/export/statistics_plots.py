@@ -40,7 +40,7 @@ class PlotSpec:
     title : str
         Name as a person reads it.
     draw : callable
-        Draws series into a figure, or a part of one, in a theme's colours, and returns the main axes.
+        Draws series into a figure or a part of one, and returns the main axes.
     """
 
     id: str

@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterable, Sequence
 import numpy as np
 
 from app.export.statistics_series import Series
+from core.arrays import FloatArray
 
 _NEUTRAL = 0.03
 
@@ -82,7 +83,7 @@ def _geodesic(series: Sequence[Series]) -> str:
     )
 
 
-def _peaks(modes: Sequence[float]) -> str:
+def _peaks(modes: FloatArray) -> str:
     if not len(modes):
         return "no peak"
     places = ", ".join(f"{mode:.3g}" for mode in modes)

@@ -5,13 +5,13 @@ import io
 import os
 import unicodedata
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from app.export.outcomes import Outcome, study_outcomes
 from core.comparison import StudyResult
 from core.io import SaveError
-from core.metrics import METRICS
+from core.metrics import METRICS, MetricSpec
 
 NOISY_TITLE = "Noisy input"
 WORSE = "worse than the noisy input"
@@ -47,6 +47,8 @@ class ResultRow:
         Time of an iteration.
     note : str
         What a reader must know: that the run diverged, that it is worse than doing nothing.
+    metrics : mapping of str to MetricSpec
+        The metrics in the units of the errors.
     """
 
     method: str | None
@@ -57,10 +59,14 @@ class ResultRow:
     best_error: float | None = None
     milliseconds: float | None = None
     note: str = ""
+    metrics: Mapping[str, MetricSpec] = field(default_factory=lambda: METRICS)
 
 
 def result_rows(
-    noisy_errors: Mapping[str, float], outcomes: Sequence[Outcome], metric: str
+    noisy_errors: Mapping[str, float],
+    outcomes: Sequence[Outcome],
+    metric: str,
+    metrics: Mapping[str, MetricSpec] = METRICS,
 ) -> tuple[ResultRow, ...]:
     """Return the rows: the noisy input first, then each method.
 
@@ -72,15 +78,19 @@ def result_rows(
         What the methods did.
     metric : str
         Metric that the best iteration and the note are about.
+    metrics : mapping of str to MetricSpec
+        The metrics in the units of the errors.
     """
     noisy = ResultRow(None, NOISY_TITLE, None, noisy_errors)
-    return (noisy, *(_row(outcome, noisy_errors[metric], metric) for outcome in outcomes))
+    rows = (noisy, *(_row(outcome, noisy_errors[metric], metric) for outcome in outcomes))
+    return tuple(replace(row, metrics=metrics) for row in rows)
 
 
 def study_rows(result: StudyResult) -> tuple[ResultRow, ...]:
     """Return the rows of a finished study, best by the study's own metric."""
     noisy_errors = result.comparison.noisy_errors
-    return result_rows(noisy_errors, study_outcomes(result), result.study.metric)
+    study = result.study
+    return result_rows(noisy_errors, study_outcomes(result), study.metric, study.metrics)
 
 
 def _row(outcome: Outcome, noisy_error: float, metric: str) -> ResultRow:
@@ -116,9 +126,10 @@ def significant(value: float | None, digits: int = 4) -> str:
     return f"{value:#.{digits}g}".rstrip(".") if value else "0"
 
 
-def headers() -> tuple[str, ...]:
-    """Return the column titles with their units."""
-    metrics = [f"{spec.title} ({spec.unit})" for spec in METRICS.values()]
+def headers(rows: Sequence[ResultRow] = ()) -> tuple[str, ...]:
+    """Return the column titles of some rows with their units."""
+    specs = rows[0].metrics if rows else METRICS
+    metrics = [f"{spec.title} ({spec.unit})" for spec in specs.values()]
     return ("Method", "Iteration", *metrics, "Best at", "Best error", "ms/iteration", "Note")
 
 
@@ -151,7 +162,7 @@ def as_csv(rows: Sequence[ResultRow]) -> str:
 
 def as_markdown(rows: Sequence[ResultRow]) -> str:
     """Return the table in Markdown, the numbers to the right."""
-    lines = [headers(), *(cells(row) for row in rows)]
+    lines = [headers(rows), *(cells(row) for row in rows)]
     rule = [":--" if text else "--:" for text in _is_text()]
     body = [" | ".join(line) for line in (lines[0], rule, *lines[1:])]
     return "".join(f"| {line} |\n" for line in body)
@@ -161,7 +172,7 @@ def as_latex(rows: Sequence[ResultRow]) -> str:
     """Return the table as a LaTeX tabular that needs no packages."""
     columns = "".join("l" if text else "r" for text in _is_text())
     lines = [" & ".join(_latex(cell) for cell in line) for line in map(cells, rows)]
-    head = " & ".join(_latex(header) for header in headers())
+    head = " & ".join(_latex(header) for header in headers(rows))
     body = "".join(f"{line} \\\\\n" for line in lines)
     return (
         f"\\begin{{tabular}}{{{columns}}}\n\\hline\n{head} \\\\\n\\hline\n"
@@ -171,7 +182,7 @@ def as_latex(rows: Sequence[ResultRow]) -> str:
 
 def as_text(rows: Sequence[ResultRow]) -> str:
     """Return the table in columns of fixed width, for a terminal."""
-    lines = [headers(), *(cells(row) for row in rows)]
+    lines = [headers(rows), *(cells(row) for row in rows)]
     widths = [max(map(_width, column)) for column in zip(*lines, strict=True)]
     padded = [
         "  ".join(

@@ -28,7 +28,7 @@ def error_text(metric: MetricSpec, value: float) -> str:
 
 def end_panes(study: Study, comparison: Comparison, original: Points, noisy: Points) -> list[Pane]:
     """Panes of the original and of the noisy mesh, with their points already centred."""
-    mesh, metric = comparison.original, METRICS[study.metric]
+    mesh, metric = comparison.original, study.metrics[study.metric]
     counts = f"{len(mesh.faces):,} faces"
     source = "from file" if study.noisy else f"σ = {study.noise.sigma:g} ℓ̄"
     caption = f"{source}   {error_text(metric, comparison.noisy_errors[metric.id])}"
@@ -61,7 +61,7 @@ def build_look(
     study: Study, comparison: Comparison, panes: list[Pane], theme: Theme, text_scale: float
 ) -> Look:
     """How the panes of a study are drawn."""
-    metric = METRICS.get(study.view.colour)
+    metric = study.metrics.get(study.view.colour)
     return Look(
         faces=comparison.original.faces,
         theme=theme,
@@ -116,7 +116,7 @@ class ComparisonScene:
 
     def _method(self, choice: MethodChoice) -> Pane:
         run: Run | None = self._session.run(choice.method)
-        metric = METRICS[self._session.study.metric]
+        metric = self._session.study.metrics[self._session.study.metric]
         if run is None:
             return method_pane(choice, metric, self._ends[1], 0, 0.0, None)
         shown = self._session.shown_iteration(choice.method)
@@ -153,7 +153,7 @@ def study_look(result: StudyResult, panes: list[Pane], text_scale: float) -> Loo
 
 
 def _result_pane(study: Study, result: MethodResult, centre: FloatArray) -> Pane:
-    metric = METRICS[study.metric]
+    metric = study.metrics[study.metric]
     error = result.errors[metric.id][-1]
     points = _centred(result.mesh.vertices, centre)
     return method_pane(result.choice, metric, points, result.iterations, error, result.diverged)

@@ -46,7 +46,7 @@ class MeshReader:
             noisy = add_noise(original.mesh, study.noise.sigma, study.noise.seed)
         else:
             noisy = matched(original.mesh, self._file(study.noisy))
-        comparison = Comparison(original.mesh, noisy)
+        comparison = Comparison(original.mesh, noisy, study.model_units)
         _ = comparison.noisy_errors  # prepares the metrics here, beside the window
         return Meshes(mesh_key(study), original.name, original.report, comparison)
 
@@ -63,7 +63,7 @@ def mesh_key(study: Study) -> str:
     """Say what the meshes of a study are made from, the state of the files included."""
     files = [f"{model}@{_changed_at(model)}" for model in (study.model, study.noisy) if model]
     noise = "" if study.noisy else study.noise.model_dump_json()
-    return "|".join([*files, noise])
+    return "|".join([*files, noise, "model units" if study.model_units else ""])
 
 
 def _changed_at(model: str) -> int:

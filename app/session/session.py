@@ -121,9 +121,7 @@ class Session:
         return Activity(f"Smoothing: {titles}", done / max(sum(c.iterations for c in busy), 1))
 
     def _needs_meshes(self, study: Study) -> bool:
-        ours, theirs = self.study, study
-        same = (ours.model, ours.noisy, ours.noise) == (theirs.model, theirs.noisy, theirs.noise)
-        return self.meshes is None or not same
+        return self.meshes is None or _sources(study) != _sources(self.study)
 
     def _travel(self, study: Study, go_back: Callable[[Study], Study]) -> None:
         """Go to a study of the history; if its meshes cannot be had, the history goes back."""
@@ -230,5 +228,10 @@ def _carried_over(wanted: Study, before: Study, now: Study) -> Study:
     """Return the study that was loaded, with what a person changed while it was loading."""
     if now is before:
         return wanted
-    sources = {name: getattr(wanted, name) for name in ("model", "noisy", "noise")}
-    return now.model_copy(update=sources)
+    return now.model_copy(update=_sources(wanted))
+
+
+def _sources(study: Study) -> dict[str, object]:
+    """What the meshes of a study, and how they are compared, depend on."""
+    names = ("model", "noisy", "noise", "model_units")
+    return {name: getattr(study, name) for name in names}

@@ -39,6 +39,7 @@ class ErrorPlot(QWidget):
         self.metric_box = QComboBox()
         # The methods' errors often lie decades apart, and the smallest matter most.
         self.log_box = QCheckBox("Log scale", checked=True)
+        self.units_box = QCheckBox("Model units")
         self._lay_out()
         self._redraw_soon = Coalesced(self._redraw, _REDRAW_MS, self)
         self._connect()
@@ -90,12 +91,16 @@ class ErrorPlot(QWidget):
                 self.metric_box.count() - 1, tip, Qt.ItemDataRole.ToolTipRole
             )
         self.metric_box.setAccessibleName("Metric of the plot")
+        self.units_box.setToolTip(
+            "Errors in the file's own units and origin, as printed, instead of mean edge lengths."
+        )
         self.log_box.setToolTip("Logarithmic errors: tells small errors apart beside large ones.")
         row = QHBoxLayout()
         row.setContentsMargins(8, 4, 8, 4)
         row.setSpacing(12)
         row.addWidget(self.metric_box)
         row.addWidget(self.log_box)
+        row.addWidget(self.units_box)
         row.addStretch()
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -106,6 +111,7 @@ class ErrorPlot(QWidget):
     def _connect(self) -> None:
         self.metric_box.activated.connect(self._choose_metric)
         self.log_box.toggled.connect(self._redraw_soon.request)
+        self.units_box.toggled.connect(self._choose_units)
         self.canvas.pressed.connect(self.selected)
         self._session.study_changed.connect(self._refresh)
         self._session.meshes_changed.connect(self._redraw_soon.request)
@@ -115,16 +121,22 @@ class ErrorPlot(QWidget):
         study = self._session.study.model_copy(update={"metric": self.metric_box.itemData(index)})
         self._session.apply(study, "Metric of the plot")
 
+    def _choose_units(self, model_units: bool) -> None:
+        study = self._session.study.model_copy(update={"model_units": model_units})
+        self._session.apply(study, "Units of the errors")
+
     def _refresh(self, *_: object) -> None:
-        metric = METRICS[self._session.study.metric]
+        metric = self._session.study.metrics[self._session.study.metric]
         with QSignalBlocker(self.metric_box):
             self.metric_box.setCurrentIndex(self.metric_box.findData(metric.id))
         self.metric_box.setToolTip(metric.summary)
+        with QSignalBlocker(self.units_box):
+            self.units_box.setChecked(self._session.study.model_units)
         self._redraw_soon.request()
 
     def _chart(self, theme: Theme) -> ErrorChart:
         """Gather what the study and its results say."""
-        metric = METRICS[self._session.study.metric]
+        metric = self._session.study.metrics[self._session.study.metric]
         meshes = self._session.meshes
         return ErrorChart(
             curves=error_curves(session_outcomes(self._session), metric.id),

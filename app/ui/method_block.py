@@ -20,7 +20,6 @@ from app.scene.colours import method_colour
 from app.session import Run, Session
 from app.ui.controls import FaintLabel, IconButton, JumpSlider, WheelGuard
 from app.ui.parameter_form import ParameterForm
-from core.metrics import METRICS
 from core.smoothing import METHODS, MethodSpec
 from core.study import MOST_ITERATIONS, MethodChoice
 
@@ -163,7 +162,7 @@ class MethodBlock(QWidget):
             return f"✕ diverged at iteration {run.diverged}"
         if run.computed < choice.iterations:
             return f"{run.computed} of {choice.iterations} …"
-        metric = METRICS[self._session.study.metric]
+        metric = self._session.study.metrics[self._session.study.metric]
         errors = run.values(metric.id)
         error, noisy_error = errors[choice.iterations], errors[0]
         note = f", {WORSE}" if error > noisy_error * (1 + 1e-9) else ""

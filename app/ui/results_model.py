@@ -58,7 +58,7 @@ class ResultsModel(QAbstractTableModel):
     def headerData(self, section: int, orientation: Qt.Orientation, role: int = _DISPLAY) -> Any:
         if orientation != Qt.Orientation.Horizontal:
             return None
-        title = headers()[section]
+        title = headers(self.rows)[section]
         answers = {
             _DISPLAY: _short_header(title),
             Qt.ItemDataRole.ToolTipRole: title,

@@ -160,7 +160,8 @@ class ResultsTable(QWidget):
         outcomes = session_outcomes(self._session)
         metric = self._session.study.metric
         noisy = meshes.comparison.noisy_errors if meshes else None
-        self.model.show(result_rows(noisy, outcomes, metric) if noisy else ())
+        metrics = self._session.study.metrics
+        self.model.show(result_rows(noisy, outcomes, metric, metrics) if noisy else ())
         self._mark_selected()
         self.view.fit_columns()
 

@@ -10,4 +10,12 @@ METRICS: dict[str, MetricSpec] = {
 }
 """All metrics by id, in the order in which they are shown; the first is the default."""
 
-__all__ = ["METRICS", "Evaluator", "MetricSpec", "visual_error"]
+
+def metrics_in(*, model_units: bool) -> dict[str, MetricSpec]:
+    """All metrics by id, in mean edge lengths ℓ̄ or in the file's own units."""
+    if not model_units:
+        return METRICS
+    return {id_: spec.in_model_units() for id_, spec in METRICS.items()}
+
+
+__all__ = ["METRICS", "Evaluator", "MetricSpec", "metrics_in", "visual_error"]

@@ -1,11 +1,11 @@
 """What a metric declares about itself, and the shape of its evaluator."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from typing import Literal, Protocol
 
 from core.arrays import FloatArray
-from core.mesh import TriangleMesh
 
 
 class Evaluator(Protocol):
@@ -37,13 +37,17 @@ class MetricSpec:
     elements_on : {"vertex", "face"}
         What `elements` belongs to.
     evaluator : callable
-        ``evaluator(original)`` prepares the comparison with an original.
+        ``evaluator(original)`` prepares the comparison with an original;
+        ``evaluator(original, model_units=True)`` in the file's own units and origin, where
+        `model_unit` says that it makes a difference.
     summary : str
         One sentence: what it measures; smaller is better.
     formula : str
         The metric in one line.
     reference : str
         Where it comes from.
+    model_unit : str
+        Unit in the file's own units; empty where the metric does not depend on them.
     """
 
     id: str
@@ -51,7 +55,17 @@ class MetricSpec:
     unit: str
     elements_unit: str
     elements_on: Literal["vertex", "face"]
-    evaluator: Callable[[TriangleMesh], Evaluator]
+    evaluator: Callable[..., Evaluator]
     summary: str
     formula: str
     reference: str
+    model_unit: str = ""
+
+    def in_model_units(self) -> "MetricSpec":
+        """Return the metric in the file's own units."""
+        if not self.model_unit:
+            return self
+        evaluator = partial(self.evaluator, model_units=True)
+        return replace(
+            self, unit=self.model_unit, elements_unit=self.model_unit, evaluator=evaluator
+        )

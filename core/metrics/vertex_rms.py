@@ -8,11 +8,19 @@ from core.metrics.spec import MetricSpec
 
 
 class VertexRmsEvaluator:
-    """√((1/m) Σᵢ ‖vᵢ − v̂ᵢ‖²) against one original, in units of its mean edge length ℓ̄."""
+    """√((1/m) Σᵢ ‖vᵢ − v̂ᵢ‖²) against one original, in units of its mean edge length ℓ̄.
 
-    def __init__(self, original: TriangleMesh) -> None:
+    Parameters
+    ----------
+    original : TriangleMesh
+        The mesh without noise.
+    model_units : bool
+        Report the file's own units instead of ℓ̄.
+    """
+
+    def __init__(self, original: TriangleMesh, *, model_units: bool = False) -> None:
         self._vertices = original.vertices
-        self._unit = original.mean_edge_length or 1.0
+        self._unit = 1.0 if model_units else original.mean_edge_length or 1.0
 
     def value(self, vertices: FloatArray) -> float:
         """Return the root mean square of `elements`."""
@@ -35,4 +43,5 @@ SPEC = MetricSpec(
     summary="Root mean square distance of the vertices from where they were in the original.",
     formula="√( 1/m Σᵢ ‖vᵢ − v̂ᵢ‖² ) / ℓ̄",
     reference="Zhang et al., Pacific Graphics 2015, and others",
+    model_unit="unit",
 )

@@ -119,4 +119,5 @@ SPEC = MetricSpec(
     summary="The thesis' D: displacement of the vertices plus change of a nonlinear Laplacian.",
     formula="D = 1/(2m) Σᵢ ‖vᵢ − v̂ᵢ‖² + ‖𝒜(vᵢ) − 𝒜(v̂ᵢ)‖²",
     reference="Thesis eq. (12)",
+    model_unit="unit²",
 )

@@ -119,3 +119,18 @@ def test_printed_diffusion_in_raw_units_diverges_on_the_cow(shared_models):
     assert diverged.diverged is not None
     assert diverged.diverged <= 5
     assert fine.diverged is None
+
+
+def test_model_units_change_the_error_and_nothing_else(ball_file):
+    ball = primitives.sphere(3)
+    save_mesh(ball.with_vertices(10 * ball.vertices), ball_file)
+    choices = (MethodChoice(method="mean", iterations=2),)
+    relative = run(Study(model=str(ball_file), methods=choices))
+    absolute = run(Study(model=str(ball_file), methods=choices, model_units=True))
+    unit = relative.comparison.original.mean_edge_length
+    ours, theirs = absolute.methods[0], relative.methods[0]
+    assert np.array_equal(ours.mesh.vertices, theirs.mesh.vertices)
+    for error, expected in zip(ours.errors["vertex_rms"], theirs.errors["vertex_rms"], strict=True):
+        assert error == pytest.approx(unit * expected)
+    assert ours.errors["visual_error"] != theirs.errors["visual_error"]
+    assert ours.errors["normal_angle"] == theirs.errors["normal_angle"]
