@@ -20,7 +20,7 @@ from core.statistics.modes import modes
 from core.statistics.progress import Progress
 from core.statistics.tally import Tally
 
-_BINS = 72
+_BINS, _FEWEST_BINS = 72, 8
 _CHUNK = 60_000
 
 
@@ -171,7 +171,8 @@ def _result(
     mesh: TriangleMesh, params: GeodesicParams, tally: Tally, sources: int
 ) -> GeodesicDistances:
     unit = mesh.mean_edge_length or 1.0
-    histogram = tally.histogram(_BINS)
+    # Bins narrower than an edge would show the steps of the mesh instead of its shape.
+    histogram = tally.histogram(int(np.clip(tally.longest / unit, _FEWEST_BINS, _BINS)))
     return GeodesicDistances(
         params=params,
         histogram=Histogram(histogram.edges / unit, histogram.counts),

@@ -6,14 +6,14 @@ from core.arrays import FloatArray
 from core.statistics.distributions import Histogram
 
 _SMOOTHING = 1.5
-_PROMINENCE = 0.03
+_PROMINENCE = 0.02
 
 
 def modes(histogram: Histogram) -> FloatArray:
     """Values at which the smoothed histogram has a peak, ascending.
 
     The shares are smoothed by a Gaussian of 1.5 bins. A peak counts if the way from it to any
-    higher one goes down by 3 % of the highest.
+    higher one goes down by 2 % of the highest.
     """
     shares = _smoothed(histogram.shares)
     limit = _PROMINENCE * shares.max(initial=0)
