@@ -1,7 +1,12 @@
 """How the hot loops of :mod:`core` are compiled: once, here, for all of them."""
 
+import os
 from collections.abc import Callable
 from typing import Any, TypeVar
+
+# Threads that wait for each other by spinning take the cores from the window that is drawing and
+# from other programs: an iteration then costs ten times as much. Read when OpenMP is loaded.
+os.environ.setdefault("OMP_WAIT_POLICY", "passive")
 
 import numba
 from numba import prange

@@ -11,6 +11,7 @@ from core.noise import NoiseParams
 from core.parameters import Params, build_params, param
 from core.skeleton import Bands, Spacing
 from core.smoothing import METHODS, method_spec
+from core.view import ViewSettings
 
 SAMPLE_PREFIX = "sample:"
 MOST_ITERATIONS = 1000
@@ -38,15 +39,6 @@ class MethodChoice(Params):
 def default_choices() -> tuple[MethodChoice, ...]:
     """Choose the thesis' five methods; plain Laplacian flow, the baseline, waits unchecked."""
     return tuple(MethodChoice(method=id_, enabled=id_ != "laplacian") for id_ in METHODS)
-
-
-class ViewSettings(Params):
-    """How the panes show the meshes."""
-
-    smooth_shading: bool = param(True, help="Smooth shading; off shows every face flat.")
-    edges: bool = param(False, help="Draw the edges of the triangles.")
-    colour: str = param("none", help="Metric that colours the panes, or none.")
-    linked: bool = param(True, help="Move the cameras of all panes together.")
 
 
 class SkeletonView(Params):

@@ -4,15 +4,25 @@ Kernels are compiled at their first call and then kept on disk, so running every
 mesh is enough.
 """
 
+from core.fields import critical_vertices, scalar_field
 from core.mesh import TriangleMesh, primitives
 from core.mesh.geometry import shading_normals
 from core.metrics import METRICS
 from core.noise import add_noise
+from core.skeleton import (
+    automatic_resolution,
+    band_levels,
+    component_surfaces,
+    cut_surface,
+    graph_of,
+    level_curves,
+    loop_checks,
+)
 from core.smoothing import METHODS, smooth
 
 
 def warm_up() -> None:
-    """Run every method and every metric on a tiny mesh."""
+    """Run every method, metric and graph on a tiny mesh."""
     original = primitives.torus(8, 6)
     noisy = add_noise(original)
     _touch_topology(noisy)
@@ -21,6 +31,19 @@ def warm_up() -> None:
     for metric in METRICS.values():
         metric.evaluator(original).value(noisy.vertices)
     shading_normals(noisy.vertices, noisy.faces)
+    _warm_up_skeleton(noisy)
+
+
+def _warm_up_skeleton(mesh: TriangleMesh) -> None:
+    """Run everything that the resolution slider and the Reeb graph call."""
+    field = scalar_field(mesh, "mixture")
+    for bands in ("exact", "vertices"):
+        graph = graph_of(mesh, field, band_levels(mesh, field, 5, "area"), bands=bands, root=True)
+        cut_surface(mesh, field, graph)
+    level_curves(mesh, field, graph.pieces.levels)
+    automatic_resolution(mesh, field)
+    critical_vertices(mesh, field.values)
+    loop_checks(mesh, graph, component_surfaces(mesh))
 
 
 def _touch_topology(mesh: TriangleMesh) -> None:

@@ -10,7 +10,7 @@ from app.scene.skeleton_panes import SkeletonLook, SkeletonPane, grown_nodes, mo
 from app.session.skeleton_maker import Skeleton
 from core.arrays import BoolArray, FloatArray
 
-_LARGEST, _SMALLEST = 0.0105, 0.0045
+_LARGEST, _SMALLEST = 0.011, 0.0068
 _SHARE_OF_ARC = 0.42
 _TUBE = 0.42
 _REGULAR, _ROOT, _PICKED = 0.8, 1.4, 1.7

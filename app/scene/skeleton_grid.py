@@ -1,13 +1,15 @@
 """One or two panes with skeletal graphs on translucent surfaces, seen by one camera."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 import pyvista as pv
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
-from app.scene.camera import CameraPose, preset_pose
+from app.scene.camera import CameraPose
 from app.scene.layout import Viewport
+from app.scene.skeleton_camera import fitting_pose
 from app.scene.skeleton_caption import SkeletonCaption
 from app.scene.skeleton_graph import GraphActors, node_radius
 from app.scene.skeleton_legend import BandLegend
@@ -19,7 +21,7 @@ from core.arrays import FloatArray
 SHAPE = (1, 2)
 """Shape a plotter needs."""
 
-_PEELS = 10
+_PEELS = 8
 _XRAY = 0.5
 _CLICK_PIXELS = 9.0
 _NOWHERE = Viewport(0.0, 0.0, 0.0, 0.0)
@@ -30,6 +32,8 @@ class _Slot:
 
     def __init__(self, renderer: pv.Renderer) -> None:
         self.renderer = renderer
+        self._state: tuple[object, ...] = ()
+        self._viewport = _NOWHERE
         self.overlay = vtkRenderer()
         self.overlay.SetLayer(1)
         self.overlay.InteractiveOff()
@@ -44,22 +48,31 @@ class _Slot:
             actor.GetProperty().SetOpacity(_XRAY)
         self.caption.add_to(renderer)
         self.legend.add_to(renderer)
-        for each in (renderer, self.overlay):
-            each.SetUseDepthPeeling(True)
-            each.SetMaximumNumberOfPeels(_PEELS)
-            each.SetOcclusionRatio(0.0)
+        renderer.SetMaximumNumberOfPeels(_PEELS)
+        renderer.SetOcclusionRatio(0.0)
 
-    def show(self, pane: SkeletonPane, look: SkeletonLook, width: float, height: float) -> None:
+    def show(self, pane: SkeletonPane, look: SkeletonLook, size: tuple[float, float]) -> bool:
+        """Draw a pane in a viewport of `size` pixels; tell whether anything is new."""
+        state = (pane.skeleton, pane.step, pane.picked, pane.title, pane.caption, look, size)
+        if state == self._state:
+            return False
+        self._state = state
         for part in (self.surface, self.curves, self.piece, self.shells, self.graph, self.xray):
             part.show(pane, look)
-        self.caption.show(pane, look, height)
+        self.caption.show(pane, look, size[1])
         self.legend.show(pane, look, self.surface.table)
-        self.legend.place(width, height, look.text_scale)
+        self.legend.place(*size, look.text_scale)
+        return True
 
     def place(self, viewport: Viewport) -> None:
+        self._viewport = viewport
         for each in (self.renderer, self.overlay):
             each.SetViewport(viewport)
-            each.SetDraw(viewport != _NOWHERE)
+        self.set_drawn(True)
+
+    def set_drawn(self, drawn: bool) -> None:
+        for each in (self.renderer, self.overlay):
+            each.SetDraw(drawn and self._viewport != _NOWHERE)
 
     def use(self, camera: pv.Camera) -> None:
         self.renderer.SetActiveCamera(camera)
@@ -88,6 +101,7 @@ class SkeletonGrid:
         window.SetMultiSamples(0)
         window.SetAlphaBitPlanes(True)
         window.SetNumberOfLayers(2)
+        self.set_precise(True)
         self.camera = pv.Camera()
         for slot in self._slots:
             window.AddRenderer(slot.overlay)
@@ -95,7 +109,7 @@ class SkeletonGrid:
 
     def show(
         self, panes: Sequence[SkeletonPane], look: SkeletonLook, size: tuple[int, int]
-    ) -> None:
+    ) -> list[bool]:
         """Draw one or two panes side by side in a window of `size` pixels."""
         self._panes, self._look = list(panes), look
         self.viewports = [
@@ -104,11 +118,32 @@ class SkeletonGrid:
         spare = [_NOWHERE] * (len(self._slots) - len(panes))
         for slot, viewport in zip(self._slots, [*self.viewports, *spare], strict=True):
             slot.place(viewport)
+        part = (size[0] / len(panes), float(size[1]))
+        new = []
         for index, pane in enumerate(self._panes):
-            self._slots[index].show(pane, look, size[0] / len(panes), size[1])
-            chosen = index == look.selected and len(panes) > 1
-            colour = look.theme.accent if chosen else look.theme.faint
-            self._slots[index].renderer.add_border(colour, (3 if chosen else 1) * look.text_scale)
+            mark = replace(look, selected=index == look.selected and len(panes) > 1)
+            new.append(self._slots[index].show(pane, mark, part))
+            self._frame(self._slots[index].renderer, look, marked=bool(mark.selected))
+        return new
+
+    def draw_only(self, panes: Sequence[bool] | None) -> None:
+        """Leave the pixels of other panes as they are in the next drawing; None draws all."""
+        for slot, drawn in zip(self._slots, panes or [True] * len(self._slots), strict=False):
+            slot.set_drawn(drawn)
+
+    @staticmethod
+    def _frame(renderer: pv.Renderer, look: SkeletonLook, *, marked: bool) -> None:
+        colour = look.theme.accent if marked else look.theme.faint
+        renderer.add_border(colour, (3 if marked else 1) * look.text_scale)
+
+    def set_precise(self, precise: bool) -> None:
+        """Blend translucent layers one by one, by depth peeling, or all at once by weights.
+
+        Neither depends on the order of the faces, so both are right from every side. Peeling has
+        the exact colours where many layers lie behind each other, weights are several times faster.
+        """
+        for slot in self._slots:
+            slot.renderer.SetUseDepthPeeling(precise)
 
     def set_ground(self, bottom: str, top: str | None) -> None:
         """Colour the background, with a gradient if `top` is given."""
@@ -127,14 +162,12 @@ class SkeletonGrid:
 
     def look_from(self, preset: str, size: tuple[int, int]) -> None:
         """Show the whole model from a preset direction."""
-        radii = [
-            np.linalg.norm(pane.skeleton.mesh.vertices - pane.centre, axis=1).max()
-            for pane in self._panes
-            if pane.skeleton is not None
+        points = [
+            pane.skeleton.mesh.vertices - pane.centre for pane in self._panes if pane.skeleton
         ]
-        if radii:
+        if points:
             aspect = size[0] / max(len(self._panes), 1) / max(size[1], 1)
-            self.set_pose(preset_pose(preset, float(max(radii)), aspect))
+            self.set_pose(fitting_pose(preset, np.vstack(points), aspect))
 
     def fit_clipping(self) -> None:
         """Set the clipping range from all that is shown, since the camera is shared."""

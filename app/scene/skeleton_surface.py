@@ -12,7 +12,8 @@ from core.mesh import TriangleMesh
 from core.mesh.geometry import shading_normals
 from core.skeleton import LevelCurves, cut_surface
 
-_CURVE_WIDTH = 1.1
+# Opaque: lines that let light through make the drawing several times slower.
+_CURVE_INK = 0.62
 
 
 class BandedSurface:
@@ -84,9 +85,8 @@ class CurveActor:
         if self._shown != (skeleton.curves, pane.step):
             self._shown = skeleton.curves, pane.step
             self._mapper.dataset = curve_data(skeleton.curves, pane.centre, pane.step)
-        self.actor.prop.color = look.theme.ink
-        self.actor.prop.opacity = 0.55
-        self.actor.prop.line_width = _CURVE_WIDTH * look.text_scale
+        self.actor.prop.color = blend(look.theme.ground_top, look.theme.ink, _CURVE_INK)
+        self.actor.prop.line_width = look.text_scale
 
 
 class PieceActor:
@@ -113,6 +113,12 @@ class PieceActor:
             self._mapper.dataset = piece_data(skeleton, node, pane.centre)
         self.actor.prop.color = look.theme.accent
         self.actor.prop.opacity = 0.8
+
+
+def blend(one: str, other: str, share: float) -> tuple[float, ...]:
+    """Mix two colours."""
+    pair = zip(pv.Color(one).float_rgb, pv.Color(other).float_rgb, strict=True)
+    return tuple((1 - share) * a + share * b for a, b in pair)
 
 
 def surface_data(points: FloatArray, faces: IntArray) -> pv.PolyData:

@@ -21,6 +21,7 @@ from app.ui.actions import TOOLBAR, ActionBook
 from app.ui.denoise_tab import DenoiseTab
 from app.ui.help import show_about, show_errata, show_methods
 from app.ui.skeleton_tab import SkeletonTab
+from app.ui.statistics_tab import StatisticsTab
 from app.ui.status import StatusBar
 from app.ui.tasks import Poster
 from app.ui.theme import current_theme, set_mode
@@ -46,6 +47,8 @@ class MainWindow(QMainWindow):
         self.tabs.addTab(self.denoise, "Denoise")
         self.skeleton = SkeletonTab(self.session, current_theme())
         self.tabs.addTab(self.skeleton, "Skeleton")
+        self.statistics = StatisticsTab(self.session, current_theme())
+        self.tabs.addTab(self.statistics, "Statistics")
         self.setCentralWidget(self.tabs)
         self.actions_ = ActionBook(self, self._handlers())
         self._fill_menus()
@@ -65,9 +68,11 @@ class MainWindow(QMainWindow):
         QSettings().setValue(_GEOMETRY, self.saveGeometry())
         self.denoise.save_layout()
         self.skeleton.save_layout()
+        self.statistics.save_layout()
         self.session.close()
         self.denoise.close_graphics()
         self.skeleton.close_graphics()
+        self.statistics.close_graphics()
         super().closeEvent(event)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
@@ -251,6 +256,7 @@ class MainWindow(QMainWindow):
         self.actions_.set_icons(self.palette().color(QPalette.ColorRole.WindowText).name())
         self.denoise.set_theme(current_theme())
         self.skeleton.set_theme(current_theme())
+        self.statistics.set_theme(current_theme())
 
     def _restore(self) -> None:
         self._set_mode(str(QSettings().value(_MODE, "system")))

@@ -1,6 +1,6 @@
 """The panel beside the views: their settings, what is drawn, and the numbers."""
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
     QFrame,
@@ -57,6 +57,10 @@ class SkeletonSide(QScrollArea):
             self.tabs.setCurrentIndex(view)
         self.stack.setCurrentIndex(view)
 
+    def minimumSizeHint(self) -> QSize:
+        bar = self.verticalScrollBar().sizeHint().width()
+        return QSize(self._inside.minimumSizeHint().width() + bar + 2, 200)
+
     def _lay_out(self) -> None:
         inside = QWidget()
         layout = QVBoxLayout(inside)
@@ -71,7 +75,7 @@ class SkeletonSide(QScrollArea):
         layout.addStretch()
         self.setWidget(inside)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.setMinimumWidth(270)
+        self._inside = inside
 
     def _refresh(self, *_: object) -> None:
         compare = self._session.study.skeleton.compare

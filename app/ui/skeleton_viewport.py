@@ -1,7 +1,9 @@
 """The drawing area of the Skeleton tab: a click picks a node and selects its view."""
 
-from PySide6.QtCore import QEvent, QPoint, QSize, QTimer, Signal
-from PySide6.QtGui import QMouseEvent, QResizeEvent
+from operator import or_
+
+from PySide6.QtCore import QEvent, QPoint, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QGuiApplication, QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from app.scene.skeleton_grid import SHAPE, SkeletonGrid
@@ -9,6 +11,7 @@ from app.scene.skeleton_panes import SkeletonLook, SkeletonPane
 from app.ui.interactor import Interactor
 
 _CLICK_PIXELS = 4
+_REST_MS = 300
 
 
 class SkeletonViewport(QWidget):
@@ -32,7 +35,12 @@ class SkeletonViewport(QWidget):
         self._panes: list[SkeletonPane] = []
         self._look: SkeletonLook | None = None
         self._pressed: QPoint | None = None
-        self.interactor.render_window.AddObserver("StartEvent", lambda *_: self.grid.fit_clipping())
+        self._changed: list[bool] | None = None
+        self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
+        self._rest.timeout.connect(self._draw_precisely)
+        window = self.interactor.render_window
+        window.AddObserver("StartEvent", self._before_drawing)
+        window.AddObserver("EndEvent", self._after_drawing)
 
     def minimumSizeHint(self) -> QSize:
         return QSize(320, 200)
@@ -40,8 +48,10 @@ class SkeletonViewport(QWidget):
     def show_panes(self, panes: list[SkeletonPane], look: SkeletonLook) -> None:
         """Draw panes; the camera stays where it is."""
         self._panes, self._look = panes, look
+        self._hurry()
         self.grid.set_ground(look.theme.ground, look.theme.ground_top)
-        self.grid.show(panes, look, self.pixel_size())
+        new = self.grid.show(panes, look, self.pixel_size())
+        self._changed = new if self._changed is None else list(map(or_, new, self._changed))
         self.interactor.update()
 
     def pixel_size(self) -> tuple[int, int]:
@@ -50,11 +60,13 @@ class SkeletonViewport(QWidget):
 
     def look_from(self, preset: str) -> None:
         """Show the whole model from a preset direction."""
+        self._move()
         self.grid.look_from(preset, self.pixel_size())
         self.interactor.update()
 
     def close_interactor(self) -> None:
         """Release the graphics; the widget cannot be used any more."""
+        self._rest.stop()
         self.interactor.removeEventFilter(self)
         self.interactor.close()
 
@@ -69,6 +81,10 @@ class SkeletonViewport(QWidget):
                 self._pressed = event.position().toPoint()
             elif event.type() == QEvent.Type.MouseButtonRelease:
                 self._release(event.position().toPoint())
+            elif self._pressed is not None:
+                self._move()
+        elif event.type() == QEvent.Type.Wheel:
+            self._move()
         return False
 
     def _release(self, point: QPoint) -> None:
@@ -80,6 +96,33 @@ class SkeletonViewport(QWidget):
         pane = self.grid.pane_at(x, y)
         if pane is not None:
             self.clicked.emit(pane, self.grid.node_at(pane, x, y, self.pixel_size()))
+
+    def _before_drawing(self, *_: object) -> None:
+        """Draw only what is new: while one view's R is dragged, the other keeps its pixels."""
+        self.grid.draw_only(self._changed if self._changed and any(self._changed) else None)
+        self.grid.fit_clipping()
+
+    def _after_drawing(self, *_: object) -> None:
+        self._changed = None
+        self.grid.draw_only(None)
+
+    def _move(self) -> None:
+        """Draw everything, since the camera moves."""
+        self._changed = None
+        self._hurry()
+
+    def _hurry(self) -> None:
+        """Draw fast while something moves, and precisely once it rests."""
+        self.grid.set_precise(False)
+        self._rest.start()
+
+    def _draw_precisely(self) -> None:
+        if QGuiApplication.mouseButtons() != Qt.MouseButton.NoButton:
+            self._rest.start()
+            return
+        self._changed = None
+        self.grid.set_precise(True)
+        self.interactor.update()
 
     def _redraw(self) -> None:
         if self._look is not None:

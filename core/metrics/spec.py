@@ -48,6 +48,8 @@ class MetricSpec:
         Where it comes from.
     model_unit : str
         Unit in the file's own units; empty where the metric does not depend on them.
+    elements_title : str
+        Name of what `elements` shows, where it is not the metric's own.
     """
 
     id: str
@@ -60,6 +62,12 @@ class MetricSpec:
     formula: str
     reference: str
     model_unit: str = ""
+    elements_title: str = ""
+
+    @property
+    def heat_title(self) -> str:
+        """Name of the heat map."""
+        return self.elements_title or self.title
 
     def in_model_units(self) -> "MetricSpec":
         """Return the metric in the file's own units."""

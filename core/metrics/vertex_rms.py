@@ -44,4 +44,5 @@ SPEC = MetricSpec(
     formula="√( 1/m Σᵢ ‖vᵢ − v̂ᵢ‖² ) / ℓ̄",
     reference="Zhang et al., Pacific Graphics 2015, and others",
     model_unit="unit",
+    elements_title="Distance to the original",
 )

@@ -8,7 +8,12 @@ import numpy as np
 from core.arrays import FloatArray, IntArray
 from core.kernels import parallel_kernel, prange
 from core.mesh import TriangleMesh
-from core.mesh.gradient import CAUCHY_CONSTANT, cauchy_weights
+from core.mesh.gradient import (
+    CAUCHY_CONSTANT,
+    cauchy_weights,
+    inverse_roots,
+    printed_cauchy_weights,
+)
 from core.parameters import Params, param
 from core.smoothing.spec import MethodSpec
 
@@ -45,22 +50,47 @@ class DiffusionParams(Params):
 
 @parallel_kernel
 def _diffuse(
-    vertices: FloatArray, starts: IntArray, items: IntArray, weights: FloatArray, printed: bool
+    vertices: FloatArray,
+    starts: IntArray,
+    items: IntArray,
+    roots: FloatArray,
+    weights: FloatArray,
 ) -> FloatArray:
+    """One step of the invariant form; `roots` are the 1/√dᵢ."""
     moved = np.zeros_like(vertices)
     for i in prange(len(vertices)):
-        d = starts[i + 1] - starts[i]
         x = y = z = 0.0
         for j in items[starts[i] : starts[i + 1]]:
-            dj = starts[j + 1] - starts[j]
-            outer = (weights[i] + weights[j]) / np.sqrt(np.float64(d) * dj)
-            inner = (weights[i] + weights[j]) / d if printed else outer
-            x += outer * vertices[j, 0] - inner * vertices[i, 0]
-            y += outer * vertices[j, 1] - inner * vertices[i, 1]
-            z += outer * vertices[j, 2] - inner * vertices[i, 2]
-        moved[i, 0] = vertices[i, 0] + x
-        moved[i, 1] = vertices[i, 1] + y
-        moved[i, 2] = vertices[i, 2] + z
+            weight = roots[j] * (weights[i] + weights[j])
+            x += weight * (vertices[j, 0] - vertices[i, 0])
+            y += weight * (vertices[j, 1] - vertices[i, 1])
+            z += weight * (vertices[j, 2] - vertices[i, 2])
+        moved[i, 0] = vertices[i, 0] + roots[i] * x
+        moved[i, 1] = vertices[i, 1] + roots[i] * y
+        moved[i, 2] = vertices[i, 2] + roots[i] * z
+    return moved
+
+
+@parallel_kernel
+def _diffuse_as_printed(
+    vertices: FloatArray,
+    starts: IntArray,
+    items: IntArray,
+    roots: FloatArray,
+    weights: FloatArray,
+) -> FloatArray:
+    """One step of eq. (9) as it stands; `roots` are the 1/√dᵢ."""
+    moved = np.zeros_like(vertices)
+    for i in prange(len(vertices)):
+        x = y = z = 0.0
+        for j in items[starts[i] : starts[i + 1]]:
+            weight = weights[i] + weights[j]
+            x += weight * (roots[j] * vertices[j, 0] - roots[i] * vertices[i, 0])
+            y += weight * (roots[j] * vertices[j, 1] - roots[i] * vertices[i, 1])
+            z += weight * (roots[j] * vertices[j, 2] - roots[i] * vertices[i, 2])
+        moved[i, 0] = vertices[i, 0] + roots[i] * x
+        moved[i, 1] = vertices[i, 1] + roots[i] * y
+        moved[i, 2] = vertices[i, 2] + roots[i] * z
     return moved
 
 
@@ -105,13 +135,17 @@ def steps(mesh: TriangleMesh, params: DiffusionParams) -> Iterator[FloatArray]:
     Zhang, *Geometric Smoothing and Modeling of 3D Graphics*, §2.4, eq. (7)–(11).
     Zhang, Ben Hamza, *Vertex-based diffusion for 3-D mesh denoising*, IEEE TIP 2007.
     """
-    starts, items = mesh.topology.vertex_ring
-    printed = params.form == "printed"
+    ring = mesh.topology.vertex_ring
+    roots = inverse_roots(ring.starts)
     origin, scale = _frame(mesh, params)
     vertices = mesh.vertices - origin
     while True:
-        weights = cauchy_weights(vertices, starts, items, scale, params.c, printed)
-        vertices = _diffuse(vertices, starts, items, weights, printed)
+        if params.form == "printed":
+            weights = printed_cauchy_weights(vertices, *ring, roots, scale, params.c)
+            vertices = _diffuse_as_printed(vertices, *ring, roots, weights)
+        else:
+            weights = cauchy_weights(vertices, *ring, scale, params.c)
+            vertices = _diffuse(vertices, *ring, roots, weights)
         yield vertices + origin
 
 

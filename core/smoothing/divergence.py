@@ -34,6 +34,21 @@ def _total_length(vertices: FloatArray, edges: IntArray) -> float:
     return total
 
 
+@parallel_kernel
+def _count_outside(vertices: FloatArray, centre: FloatArray, reach: float) -> int:
+    outside = 0
+    for i in prange(len(vertices)):
+        farthest = max(
+            abs(vertices[i, 0] - centre[0]),
+            abs(vertices[i, 1] - centre[1]),
+            abs(vertices[i, 2] - centre[2]),
+        )
+        # A largest value hides what is not a number; a sum does not.
+        total = vertices[i, 0] + vertices[i, 1] + vertices[i, 2]
+        outside += not (farthest <= reach and np.isfinite(total))
+    return outside
+
+
 class DivergenceGuard:
     """Tells whether positions can still be a smoothed version of a mesh.
 
@@ -55,8 +70,6 @@ class DivergenceGuard:
 
     def allows(self, vertices: FloatArray) -> bool:
         """Whether the run is still sound; a coordinate that is not a number is not."""
-        low, high = bounding_box(vertices)
-        # Comparisons with nan are false, so they fail on the safe side.
-        inside = np.all(self._centre - low <= self._reach)
-        inside &= np.all(high - self._centre <= self._reach)
-        return bool(inside) and _total_length(vertices, self._edges) <= self._longest
+        if _count_outside(vertices, self._centre, self._reach):
+            return False
+        return bool(_total_length(vertices, self._edges) <= self._longest)

@@ -14,6 +14,7 @@ from core.smoothing.spec import MethodSpec
 # Faces a thread handles before it needs a new buffer: enough to make the buffer free, few enough
 # to share the work evenly.
 _BLOCK = 2048
+_SHORT_ROW = 64
 
 
 class MedianParams(Params):
@@ -21,35 +22,34 @@ class MedianParams(Params):
 
 
 @kernel
-def _select(values: FloatArray, rank: int) -> float:
-    """Value at `rank` (from 0) of the descending order, by Hoare's selection; reorders `values`."""
-    low, high = 0, len(values) - 1
-    while low < high:
-        pivot = values[(low + high) // 2]
-        i, j = low, high
-        while i <= j:
-            while values[i] > pivot:
-                i += 1
-            while values[j] < pivot:
-                j -= 1
-            if i <= j:
-                values[i], values[j] = values[j], values[i]
-                i += 1
-                j -= 1
-        if rank <= j:
-            high = j
-        elif rank >= i:
-            low = i
-        else:
-            break
-    selected: float = values[rank]
-    return selected
+def _at_rank(values: FloatArray, rank: int) -> int:
+    """Index of the value at `rank` (from 0) of the descending order, the first of equal ones.
+
+    Counts for each value the larger ones: for a dozen values that is quicker than any sorting,
+    because the inner loop has no branches.
+    """
+    for a in range(len(values)):
+        larger = equal = 0
+        for b in range(len(values)):
+            larger += values[b] > values[a]
+            equal += values[b] == values[a]
+        if larger <= rank < larger + equal:
+            return a
+    return 0
 
 
 @kernel
-def _median_face(
-    normals: FloatArray, t: int, ring: IntArray, cosines: FloatArray, scratch: FloatArray
-) -> int:
+def _first_at_rank(values: FloatArray, rank: int) -> int:
+    """Index of the value at `rank` as :func:`_at_rank`, for long rows: by sorting."""
+    sought = np.sort(values)[len(values) - 1 - rank]
+    for a in range(len(values)):
+        if values[a] == sought:
+            return a
+    return 0
+
+
+@kernel
+def _median_face(normals: FloatArray, t: int, ring: IntArray, cosines: FloatArray) -> int:
     """Face of the ring whose normal makes the lower median angle with that of t."""
     for slot in range(len(ring)):
         other = ring[slot]
@@ -58,13 +58,10 @@ def _median_face(
             + normals[t, 1] * normals[other, 1]
             + normals[t, 2] * normals[other, 2]
         )
-    scratch[:] = cosines
     # Ascending angles are descending cosines.
-    median = _select(scratch, (len(ring) - 1) // 2)
-    face = t
-    for slot in range(len(ring) - 1, -1, -1):
-        if cosines[slot] == median:
-            face = ring[slot]
+    rank = (len(ring) - 1) // 2
+    short = len(ring) <= _SHORT_ROW
+    face: int = ring[_at_rank(cosines, rank) if short else _first_at_rank(cosines, rank)]
     return face
 
 
@@ -75,13 +72,11 @@ def _median_normals(
     medians = normals.copy()
     for block in prange((len(normals) + _BLOCK - 1) // _BLOCK):
         cosines = np.zeros(longest)
-        scratch = np.zeros(longest)
         for t in range(block * _BLOCK, min((block + 1) * _BLOCK, len(normals))):
             ring = items[starts[t] : starts[t + 1]]
             if len(ring) == 0:
                 continue
-            k = len(ring)
-            face = _median_face(normals, t, ring, cosines[:k], scratch[:k])
+            face = _median_face(normals, t, ring, cosines[: len(ring)])
             for x in range(3):
                 medians[t, x] = normals[face, x]
     return medians

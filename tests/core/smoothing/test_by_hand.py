@@ -109,8 +109,8 @@ def test_printed_diffusion_depends_on_the_origin(ball):
 
 def test_gradient_weights_fall_with_scale(ball):
     ring = ball.topology.vertex_ring
-    small = cauchy_weights(ball.vertices, *ring, 1.0, 2.3849, False)
-    large = cauchy_weights(ball.vertices, *ring, 10.0, 2.3849, False)
+    small = cauchy_weights(ball.vertices, *ring, 1.0, 2.3849)
+    large = cauchy_weights(ball.vertices, *ring, 10.0, 2.3849)
     assert (large < small).all()
     assert small.max() <= 1
 

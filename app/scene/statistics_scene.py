@@ -1,0 +1,181 @@
+"""One model or two beside the statistics plots, with the vertices that a plot lights up."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+import pyvista as pv
+from numpy.typing import NDArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray
+
+from app.scene.camera import preset_pose
+from app.scene.caption import Caption
+from app.scene.colour_bar import ColourBar
+from app.scene.layout import Viewport, tile
+from app.scene.panes import Look, Pane
+from app.scene.surface import SurfaceActor, cell_array, lookup_table
+from core.arrays import BoolArray, FloatArray, IntArray
+from core.mesh import TriangleMesh
+
+CAPACITY = 2
+SCENE_SHAPE = (1, 3)
+"""Shape a plotter needs: two models and the colour bar."""
+
+_BAR_PIXELS = 84.0
+_LIT_COLOUR = {False: "#e4007c", True: "#ffd23f"}
+_NOWHERE = Viewport(0.0, 0.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True, eq=False)
+class ModelPane:
+    """One model as it is drawn.
+
+    Attributes
+    ----------
+    pane : Pane
+        Title, points scaled to the unit ball, and the values that colour it.
+    faces : (n, 3) int32 ndarray
+        Its faces.
+    """
+
+    pane: Pane
+    faces: IntArray
+
+
+def unit_points(mesh: TriangleMesh) -> NDArray[np.float32]:
+    """Vertices moved and scaled into the unit ball, so that one camera serves any two models."""
+    low, high = mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)
+    centred = mesh.vertices - (low + high) / 2
+    radius = float(np.linalg.norm(centred, axis=1).max(initial=0)) or 1.0
+    points: NDArray[np.float32] = (centred / radius).astype(np.float32)
+    return points
+
+
+class StatisticsScene:
+    """Draws one or two models into a PyVista plotter; they share one camera.
+
+    Parameters
+    ----------
+    plotter : pyvista.BasePlotter
+        Made with ``shape=SCENE_SHAPE, border=False``.
+    """
+
+    def __init__(self, plotter: pv.BasePlotter) -> None:
+        *self._renderers, self._bar_renderer = plotter.renderers
+        self._surfaces = [SurfaceActor() for _ in self._renderers]
+        self._captions = [Caption() for _ in self._renderers]
+        self._lights = [_Lights() for _ in self._renderers]
+        self._cells: list[tuple[IntArray, vtkCellArray] | None] = [None] * CAPACITY
+        self._bar = ColourBar()
+        self._bar.add_to(self._bar_renderer)
+        self._panes: list[ModelPane] = []
+        self._aspect = 1.0
+        self.viewports: list[Viewport] = []
+        camera = pv.Camera()
+        for place, renderer in enumerate(self._renderers):
+            renderer.AddActor(self._surfaces[place].actor)
+            renderer.AddActor(self._lights[place].actor)
+            self._captions[place].add_to(renderer)
+            renderer.SetActiveCamera(camera)
+            renderer.camera.is_set = True
+
+    def show(self, panes: Sequence[ModelPane], look: Look, size: tuple[int, int]) -> None:
+        """Draw models in a window of `size` pixels."""
+        self._panes = list(panes[:CAPACITY])
+        self._arrange(look, size)
+        table = lookup_table(look.colour_range)
+        self._bar.show(look, table)
+        for place, shown in enumerate(self._panes):
+            look_here = replace(look, faces=shown.faces)
+            cells = self._shared_cells(place, shown.faces)
+            self._surfaces[place].show(shown.pane, look_here, cells, table)
+            self._captions[place].show(
+                shown.pane, look_here, self.viewports[place].pixels(*size)[3]
+            )
+            self._lights[place].set_look(look)
+
+    def light(self, masks: Sequence[BoolArray | None]) -> None:
+        """Light up vertices of each model; None lights none."""
+        for lights, shown, mask in zip(self._lights, self._panes, masks, strict=False):
+            lights.show(shown.pane.points, mask)
+
+    def set_ground(self, bottom: str, top: str | None) -> None:
+        """Colour the background, with a gradient if `top` is given."""
+        for renderer in (*self._renderers, self._bar_renderer):
+            renderer.set_background(bottom, top=top)
+
+    def look_from(self, preset: str) -> None:
+        """Show the whole models from a preset direction."""
+        sides = [port.right - port.left for port in self.viewports]
+        heights = [port.top - port.bottom for port in self.viewports]
+        aspects = [
+            self._aspect * wide / high for wide, high in zip(sides, heights, strict=True) if high
+        ]
+        pose = preset_pose(preset, 0.95, min(aspects, default=1.0))
+        pose.apply(self._renderers[0].GetActiveCamera())
+        self.fit_clipping()
+
+    def fit_clipping(self) -> None:
+        """Set the clipping range from the unit ball, which holds both models."""
+        for renderer in self._renderers:
+            renderer.ResetCameraClippingRange((-1, 1, -1, 1, -1, 1))
+
+    def model_at(self, x: float, y: float) -> int | None:
+        """Return which model is at a point, in shares of the window from its lower left corner."""
+        found = (place for place, port in enumerate(self.viewports) if port.holds(x, y))
+        return next(found, None)
+
+    def renderer(self, place: int) -> pv.Renderer:
+        """Return the renderer of a model."""
+        return self._renderers[place]
+
+    def nearest_vertex(self, place: int, point: Sequence[float]) -> int:
+        """Return the vertex of a model that is nearest to a point of the scene."""
+        offsets: FloatArray = self._panes[place].pane.points - np.asarray(point)
+        return int(np.argmin((offsets**2).sum(axis=1)))
+
+    def _arrange(self, look: Look, size: tuple[int, int]) -> None:
+        width, height = max(size[0], 1), max(size[1], 1)
+        self._aspect = width / height
+        bar = min(_BAR_PIXELS * look.text_scale / width, 0.4) if look.colour_title else 0.0
+        self.viewports = tile(len(self._panes), self._aspect, 1 - bar)
+        places = [*self.viewports, *[_NOWHERE] * (CAPACITY - len(self.viewports))]
+        bar_place = Viewport(1 - bar, 0.0, 1.0, 1.0) if bar else _NOWHERE
+        every = zip((*self._renderers, self._bar_renderer), (*places, bar_place), strict=True)
+        for renderer, port in every:
+            renderer.SetViewport(port)
+            renderer.SetDraw(port != _NOWHERE)
+        self._bar_renderer.InteractiveOff()
+
+    def _shared_cells(self, place: int, faces: IntArray) -> vtkCellArray:
+        known = self._cells[place]
+        if known is None or known[0] is not faces:
+            known = self._cells[place] = faces, cell_array(faces)
+        return known[1]
+
+
+class _Lights:
+    """Vertices drawn as dots on top of a surface."""
+
+    def __init__(self) -> None:
+        self._mapper = pv.DataSetMapper(pv.PolyData(np.zeros((1, 3), np.float32)))
+        self.actor = pv.Actor(mapper=self._mapper)
+        self.actor.prop.render_points_as_spheres = True
+        self.actor.prop.lighting = False
+        self.actor.SetPickable(False)
+        self.actor.SetVisibility(False)
+        self._scale = 1.0
+
+    def set_look(self, look: Look) -> None:
+        """Take the colours and the size of a look."""
+        self.actor.prop.color = _LIT_COLOUR[look.theme.dark]
+        self._scale = look.text_scale
+
+    def show(self, points: NDArray[np.float32], mask: BoolArray | None) -> None:
+        """Draw the vertices of a mask, smaller where there are many."""
+        lit = points[mask] if mask is not None and len(mask) == len(points) else points[:0]
+        self.actor.SetVisibility(bool(len(lit)))
+        if len(lit):
+            self._mapper.dataset = pv.PolyData(lit)
+            size = float(np.clip(40 / np.sqrt(len(points) ** 0.5), 3, 9))
+            self.actor.prop.point_size = (size + 4 * (len(lit) == 1)) * self._scale

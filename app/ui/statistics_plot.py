@@ -1,0 +1,149 @@
+"""One plot of the statistics: canvas, title, buttons, and a line that says how to read it."""
+
+from collections.abc import Sequence
+from typing import Any
+
+from matplotlib.artist import Artist
+from matplotlib.backend_bases import DrawEvent, MouseEvent
+from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
+from matplotlib.figure import Figure
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
+
+from app.export.statistics_plots import PlotSpec
+from app.export.statistics_selection import Selection, Spot
+from app.export.statistics_series import Series
+from app.export.statistics_words import plot_words
+from app.scene.colours import LIGHT, Theme
+from app.ui.controls import Coalesced, FaintLabel, IconButton
+
+_REDRAW_MS = 60
+_LINES = 3
+
+
+class Cell(QWidget):
+    """A titled box with a canvas, buttons to enlarge, save and copy, and a line of words."""
+
+    enlarge_asked = Signal(str)
+    save_asked = Signal(str)
+    copy_asked = Signal(str)
+
+    def __init__(self, id_: str, title: str) -> None:
+        super().__init__()
+        self.id = id_
+        self.canvas = FigureCanvasQTAgg(Figure(layout="constrained"))
+        self.canvas.setMinimumSize(120, 90)
+        self.canvas.installEventFilter(self)
+        self.words = FaintLabel()
+        self.words.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self.words.setMinimumHeight(_LINES * self.words.fontMetrics().lineSpacing())
+        self.enlarge = IconButton("mdi6.arrow-expand", "Enlarge the plot, or bring all back")
+        self.save = IconButton("mdi6.content-save-outline", "Save the plot as SVG, PDF or PNG")
+        self.copy = IconButton("mdi6.content-copy", "Copy the numbers")
+        self._title = QLabel(f"<b>{title}</b>")
+        self._lay_out()
+        for button, signal in (
+            (self.enlarge, self.enlarge_asked),
+            (self.save, self.save_asked),
+            (self.copy, self.copy_asked),
+        ):
+            button.clicked.connect(lambda *_, signal=signal: signal.emit(self.id))
+
+    def sizeHint(self) -> QSize:
+        return QSize(320, 270)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.MouseButtonDblClick:
+            self.enlarge_asked.emit(self.id)
+        return False
+
+    def _lay_out(self) -> None:
+        self.head = QHBoxLayout()
+        self.head.setContentsMargins(8, 0, 2, 0)
+        self.head.setSpacing(0)
+        self.head.addWidget(self._title)
+        self.head.addStretch()
+        for button in (self.enlarge, self.save, self.copy):
+            self.head.addWidget(button)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(2, 2, 2, 2)
+        layout.setSpacing(2)
+        layout.addLayout(self.head)
+        layout.addWidget(self.canvas, 1)
+        row = QHBoxLayout()
+        row.setContentsMargins(8, 0, 6, 2)
+        row.addWidget(self.words)
+        layout.addLayout(row)
+
+
+class StatisticsPlot(Cell):
+    """Shows a plot of one model or two; what the pointer is over is marked, drawn without delay."""
+
+    pointed = Signal(object)
+
+    def __init__(self, spec: PlotSpec) -> None:
+        super().__init__(spec.id, spec.title)
+        self.spec = spec
+        self.series: list[Series] = []
+        self._theme = LIGHT
+        self._axes: Any = None
+        self._background: Any = None
+        self._mark: Artist | None = None
+        self._redraw_soon = Coalesced(self._redraw, _REDRAW_MS, self)
+        self.canvas.mpl_connect("draw_event", self._on_draw)
+        self.canvas.mpl_connect("motion_notify_event", self._on_motion)
+        self.canvas.mpl_connect("axes_leave_event", lambda _: self.pointed.emit(None))
+        self.canvas.mpl_connect("figure_leave_event", lambda _: self.pointed.emit(None))
+
+    def show_series(self, series: Sequence[Series], theme: Theme) -> None:
+        """Draw models in a theme's colours."""
+        same = theme is self._theme and self._shown(self.series) == self._shown(series)
+        self.series, self._theme = list(series), theme
+        if not same or self._axes is None:
+            self.words.setText(plot_words(self.id, self.series))
+            self._redraw_soon.request()
+
+    def mark(self, selection: Selection, *, beside: bool) -> None:
+        """Mark what is selected, and say what it is."""
+        self.words.setText(selection.words or plot_words(self.id, self.series))
+        if self._mark is not None:
+            self._mark.remove()
+            self._mark = None
+        if selection.span and self._axes is not None:
+            style = {"color": self._theme.ink, "alpha": 0.18, "lw": 0, "animated": True}
+            if beside and self._axes.child_axes:
+                self._mark = self._axes.child_axes[0].axhspan(*selection.span, **style)
+            else:
+                self._mark = self._axes.axvspan(*selection.span, **style)
+        self._draw_mark()
+
+    def _shown(self, series: Sequence[Series]) -> list[Any]:
+        """Objects that the plot is made of: equal ones make the same plot."""
+        parts = [(one.connectivity, one.spectrum, one.geodesic) for one in series]
+        chosen = {"spectrum": 1, "geodesic": 2}.get(self.id, 0)
+        names = [(one.name, one.colour) for one in series]
+        return [*names, *(id(part[chosen]) for part in parts)]
+
+    def _redraw(self) -> None:
+        self._mark = None
+        self._axes = self.spec.draw(self.canvas.figure, self.series, self._theme)
+        self.canvas.draw_idle()
+
+    def _on_draw(self, _: DrawEvent) -> None:
+        self._background = self.canvas.copy_from_bbox(self.canvas.figure.bbox)
+        if self._mark is not None:
+            self._mark.axes.draw_artist(self._mark)
+
+    def _draw_mark(self) -> None:
+        if self._background is None:
+            return
+        self.canvas.restore_region(self._background)
+        if self._mark is not None:
+            self._mark.axes.draw_artist(self._mark)
+        self.canvas.update()
+
+    def _on_motion(self, event: MouseEvent) -> None:
+        if self._axes is None or event.inaxes is None or not self.series:
+            return
+        beside = event.inaxes is not self._axes
+        self.pointed.emit(Spot(self.id, event.xdata, event.ydata, beside))

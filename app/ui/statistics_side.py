@@ -1,0 +1,196 @@
+"""The panel beside the statistics: what is compared, how it is measured, and the summary."""
+
+from collections.abc import Sequence
+from typing import Any
+
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFrame,
+    QGridLayout,
+    QLabel,
+    QMenu,
+    QProgressBar,
+    QScrollArea,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.export.statistics_reports import summary_rows
+from app.export.statistics_series import SERIES_COLOURS
+from app.ui.controls import FaintLabel, IconButton, WheelGuard
+from app.ui.parameter_form import ParameterForm
+from core.parameters import build_params
+from core.statistics import GeodesicParams, SpectrumParams, Summary
+
+WIDTH = 232
+
+COLOURINGS = {
+    "none": "Nothing",
+    "degree": "Degree",
+    "assortativity": "K_nn",
+    "clustering": "Clustering",
+    "distance": "Distance from the picked vertex",
+}
+_MATRICES = {"laplacian": "Laplacian L = D − A", "normalized_laplacian": "Normalised Laplacian"}
+
+
+class StatisticsSide(QWidget):
+    """Choices and numbers.
+
+    Signals
+    -------
+    changed() : a parameter or the colouring was changed.
+    second_chosen(str) : which model to lay over the first.
+    cancelled(), resumed() : stop the work, go on with it.
+    """
+
+    changed = Signal()
+    second_chosen = Signal(str)
+    cancelled = Signal()
+    resumed = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.second = QComboBox()
+        self.matrix = QComboBox()
+        self.colour = QComboBox()
+        self.geodesic = ParameterForm(GeodesicParams)
+        self.tools = QToolButton(text="Mesh tools", autoRaise=False)
+        self.tools.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.tools.setMenu(QMenu(self.tools))
+        self._summary = QGridLayout()
+        self._text = FaintLabel()
+        self._bar = QProgressBar(maximum=100, textVisible=False)
+        self._bar.setFixedHeight(10)
+        self.stop = IconButton("mdi6.stop-circle-outline", "Stop computing")
+        self.go_on = IconButton("mdi6.play-circle-outline", "Go on computing")
+        self._fill()
+        self._lay_out()
+        self._connect()
+        self.show_activity(None, cancelled=False)
+
+    def geodesic_params(self) -> GeodesicParams:
+        """Return how distances are to be measured."""
+        params: GeodesicParams = build_params(GeodesicParams, self.geodesic.values())
+        return params
+
+    def spectrum_params(self) -> SpectrumParams:
+        """Return which spectrum is to be shown."""
+        return SpectrumParams(matrix=self.matrix.currentData())
+
+    def offer_second(self, choices: dict[str, str], current: str) -> None:
+        """List the models that can be laid over the first."""
+        with QSignalBlocker(self.second):
+            self.second.clear()
+            for id_, name in choices.items():
+                self.second.addItem(name, id_)
+            self.second.setCurrentIndex(max(self.second.findData(current), 0))
+
+    def show_summaries(self, summaries: Sequence[Summary]) -> None:
+        """Show the numbers of one model or two side by side."""
+        while item := self._summary.takeAt(0):
+            item.widget().deleteLater()
+        tables = [summary_rows(summary) for summary in summaries]
+        for row, cells in enumerate(zip(*tables, strict=True)):
+            self._summary.addWidget(QLabel(_sentence(cells[0][0])), 2 * row, 0)
+            for column, (_, value) in enumerate(cells):
+                self._summary.addWidget(self._value(value, column, len(cells)), 2 * row, column + 1)
+
+    def show_activity(self, activity: tuple[str, float] | None, *, cancelled: bool) -> None:
+        """Show what is being computed, with a button to stop it or to go on."""
+        self._bar.setVisible(activity is not None)
+        self.stop.setVisible(activity is not None)
+        self.go_on.setVisible(activity is None and cancelled)
+        if activity:
+            self._text.setText(f"{activity[0]} …")
+            self._bar.setValue(round(100 * activity[1]))
+        else:
+            self._text.setText("Stopped; some plots are not complete." if cancelled else "")
+
+    def _value(self, value: str, column: int, count: int) -> QLabel:
+        label = QLabel(value)
+        label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        label.setAlignment(Qt.AlignmentFlag.AlignRight)
+        if count > 1:
+            label.setStyleSheet(f"color: {SERIES_COLOURS[column]}")
+        return label
+
+    def _fill(self) -> None:
+        for box, choices, name in (
+            (self.matrix, _MATRICES, "Spectrum of"),
+            (self.colour, COLOURINGS, "Colour the model by"),
+            (self.second, {}, "Second model"),
+        ):
+            for id_, text in choices.items():
+                box.addItem(text, id_)
+            box.setAccessibleName(name)
+            box.setSizeAdjustPolicy(
+                QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+            )
+            WheelGuard(self).guard(box)
+
+    def _lay_out(self) -> None:
+        inside = QWidget()
+        column = QVBoxLayout(inside)
+        column.setContentsMargins(8, 6, 8, 6)
+        column.setSpacing(3)
+        for title, widget in (
+            ("Second model", self.second),
+            ("Colour the model by", self.colour),
+            ("Spectrum of", self.matrix),
+        ):
+            column.addWidget(QLabel(title))
+            column.addWidget(widget)
+        column.addWidget(_heading("Summary"))
+        self._summary.setHorizontalSpacing(8)
+        self._summary.setVerticalSpacing(0)
+        column.addLayout(self._summary)
+        column.addWidget(self.tools)
+        column.addWidget(_heading("Geodesic distances"))
+        column.addWidget(self.geodesic)
+        column.addStretch()
+        scroll = QScrollArea(widgetResizable=True, frameShape=QFrame.Shape.NoFrame)
+        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        scroll.setWidget(inside)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(scroll, 1)
+        layout.addLayout(self._progress_row())
+
+    def _progress_row(self) -> QGridLayout:
+        row = QGridLayout()
+        row.setContentsMargins(8, 2, 4, 4)
+        row.setColumnStretch(0, 1)
+        row.addWidget(self._text, 0, 0, 1, 2)
+        row.addWidget(self._bar, 1, 0)
+        row.addWidget(self.stop, 1, 1)
+        row.addWidget(self.go_on, 1, 1)
+        return row
+
+    def _connect(self) -> None:
+        for signal in (
+            self.matrix.currentIndexChanged,
+            self.colour.currentIndexChanged,
+            self.geodesic.changed,
+        ):
+            signal.connect(self._on_changed)
+        self.second.activated.connect(
+            lambda index: self.second_chosen.emit(self.second.itemData(index))
+        )
+        self.stop.clicked.connect(self.cancelled)
+        self.go_on.clicked.connect(self.resumed)
+
+    def _on_changed(self, *_: Any) -> None:
+        self.changed.emit()
+
+
+def _heading(text: str) -> QLabel:
+    label = QLabel(f"<b>{text}</b>")
+    label.setContentsMargins(0, 8, 0, 2)
+    return label
+
+
+def _sentence(text: str) -> str:
+    return text[:1].upper() + text[1:]

@@ -1,0 +1,305 @@
+"""The Statistics tab: the model and the five plots of thesis figures 3.2–3.7."""
+
+from pathlib import Path
+
+import numpy as np
+from PySide6.QtGui import QGuiApplication, QShowEvent
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QWidget
+
+from app.export.statistics_plots import PLOTS, save_statistics_plot
+from app.export.statistics_selection import Selection, Spot, select
+from app.export.statistics_series import SERIES_COLOURS, Series
+from app.export.statistics_tables import plot_tables
+from app.scene.colours import Theme
+from app.scene.panes import Look, Pane
+from app.scene.statistics_scene import ModelPane, unit_points
+from app.session import Session
+from app.ui.controls import Coalesced
+from app.ui.dialogs import ask_for_file, ask_where_to_save, tell
+from app.ui.statistics_matrix import SAVE_FILTERS, MatrixCell
+from app.ui.statistics_plot import Cell, StatisticsPlot
+from app.ui.statistics_second import OPEN, SecondModel
+from app.ui.statistics_side import WIDTH, StatisticsSide
+from app.ui.statistics_tools import TOOLS, remesh
+from app.ui.statistics_view import StatisticsView
+from app.ui.statistics_work import Model, StatisticsWork
+from core.arrays import BoolArray, FloatArray
+
+_REDRAW_MS = 80
+_REFRESH_MS = 250
+_PLOT_FILTERS = "SVG (*.svg);;PDF (*.pdf);;PNG (*.png)"
+_COLOUR_TITLES = {
+    "degree": "degree",
+    "assortativity": "K_nn",
+    "clustering": "clustering",
+    "distance": "distance\n(ℓ̄)",
+}
+
+
+class StatisticsTab(QWidget):
+    """Chapter 3 of the thesis on one screen, for one model or two.
+
+    Nothing is computed before the tab is shown.
+
+    Parameters
+    ----------
+    session : Session
+        The state; the tab listens to its meshes and runs.
+    theme : Theme
+        Colours to begin with.
+    """
+
+    def __init__(self, session: Session, theme: Theme) -> None:
+        super().__init__()
+        self.session = session
+        self.enlarged: str | None = None
+        self._theme = theme
+        self._pointed: Spot | None = None
+        self._points: dict[int, tuple[object, np.ndarray]] = {}
+        self.work = StatisticsWork(session.jobs)
+        self.second = SecondModel(session, self)
+        self.side = StatisticsSide()
+        self.view = StatisticsView()
+        self.plots = {spec.id: StatisticsPlot(spec) for spec in PLOTS.values()}
+        self.matrix = MatrixCell()
+        self.cells: dict[str, Cell] = {**self.plots, "matrix": self.matrix}
+        self._redraw_soon = Coalesced(self._redraw, _REDRAW_MS, self)
+        self._refresh_soon = Coalesced(self._refresh, _REFRESH_MS, self)
+        self._fill_tools()
+        self._lay_out()
+        self._connect()
+
+    def set_theme(self, theme: Theme) -> None:
+        """Draw everything in a theme's colours."""
+        self._theme = theme
+        self._redraw_soon.request()
+
+    def save_layout(self) -> None:
+        """Nothing to remember: the places are fixed."""
+
+    def close_graphics(self) -> None:
+        """Release the graphics before the window goes."""
+        self._redraw_soon.stop()
+        self._refresh_soon.stop()
+        self.view.close_interactor()
+
+    def enlarge(self, cell: str) -> None:
+        """Give a plot all the room beside the model, or bring all back."""
+        self.enlarged = None if self.enlarged == cell else cell
+        self._place_cells()
+        self._redraw_soon.request()
+
+    def save(self, cell: str, path: Path) -> None:
+        """Save a plot, dark on white as papers want it."""
+        if cell == "matrix":
+            self.matrix.save_to(path)
+        else:
+            save_statistics_plot(path, PLOTS[cell], self.work.series())
+
+    def copy(self, plot: str) -> None:
+        """Copy the numbers of a plot, with tabs between them as spreadsheets want it."""
+        tables = plot_tables(plot, self.work.series())
+        QGuiApplication.clipboard().setText("\n".join(table.text("\t") for table in tables))
+        self.session.notified.emit(f"Copied the numbers of: {PLOTS[plot].title}.")
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._refresh_soon.request()
+        self._redraw_soon.request()
+
+    def _fill_tools(self) -> None:
+        menu = self.side.tools.menu()
+        menu.addAction("Matrix beside the model").triggered.connect(lambda: self.enlarge("matrix"))
+        menu.addSeparator()
+        for tool, (title, _) in TOOLS.items():
+            menu.addAction(title).triggered.connect(
+                lambda *_, tool=tool: remesh(self.session, tool)
+            )
+
+    def _lay_out(self) -> None:
+        self.side.setFixedWidth(WIDTH)
+        self._grid = QGridLayout()
+        self._grid.setContentsMargins(0, 0, 0, 0)
+        self._grid.setSpacing(4)
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 4, 0)
+        layout.setSpacing(4)
+        layout.addWidget(self.side)
+        layout.addLayout(self._grid, 1)
+        self._place_cells()
+
+    def _place_cells(self) -> None:
+        """Put model and plots into two rows of three, or an enlarged cell beside the model."""
+        for widget in (self.view, *self.cells.values()):
+            self._grid.removeWidget(widget)
+        big = self.cells.get(self.enlarged or "")
+        for cell in self.cells.values():
+            cell.setVisible(cell is big if big else cell is not self.matrix)
+        for i in range(3):
+            self._grid.setColumnStretch(i, 1)
+        self._grid.setRowStretch(0, 1)
+        self._grid.setRowStretch(1, 1)
+        if big:
+            self._grid.addWidget(self.view, 0, 0, 2, 1)
+            self._grid.addWidget(big, 0, 1, 2, 2)
+            return
+        for place, widget in enumerate((self.view, *self.plots.values())):
+            self._grid.addWidget(widget, *divmod(place, 3))
+
+    def _connect(self) -> None:
+        session, side = self.session, self.side
+        session.meshes_changed.connect(self._refresh_soon.request)
+        session.run_changed.connect(self._on_run_changed)
+        session.study_changed.connect(self._refresh_soon.request)
+        self.work.changed.connect(self._redraw_soon.request)
+        self.work.activity_changed.connect(self._show_activity)
+        for source in (self.work, self.second):
+            source.failed.connect(lambda message: tell(self, message))
+        self.second.changed.connect(self._refresh)
+        side.second_chosen.connect(self._choose_second)
+        side.changed.connect(self._on_side_changed)
+        side.cancelled.connect(self.work.cancel)
+        side.resumed.connect(lambda: self.work.start(again=True))
+        self.view.picked.connect(self._pick)
+        for cell in self.cells.values():
+            cell.enlarge_asked.connect(self.enlarge)
+            cell.save_asked.connect(self._ask_where_to_save)
+            cell.copy_asked.connect(self.copy)
+        for plot in self.plots.values():
+            plot.pointed.connect(self._on_pointed)
+
+    # -- what is on show
+
+    def _refresh(self) -> None:
+        """Take the meshes of the session and of the second model; only while they are seen."""
+        if not self.isVisible() or self.session.meshes is None:
+            return
+        meshes = self.session.meshes
+        models = [Model(Path(meshes.name).stem, meshes.comparison.original)]
+        second = self.second.model()
+        models += [second] if second else []
+        self.side.offer_second(self.second.choices(), self.second.chosen)
+        self.work.show(tuple(models))
+
+    def _redraw(self) -> None:
+        if not self.isVisible():
+            return
+        series = self.work.series()
+        for plot in self.plots.values():
+            plot.show_series(series, self._theme)
+        self.side.show_summaries(self.work.summaries())
+        self._draw_models(series)
+        if self.enlarged == "matrix" and self.work.models:
+            self.matrix.show_mesh(self.work.models[0].mesh, self._theme)
+
+    def _draw_models(self, series: list[Series]) -> None:
+        values = [self._values(place, one) for place, one in enumerate(series)]
+        known = [some[np.isfinite(some)] for some in values if some is not None]
+        title = _COLOUR_TITLES.get(self.side.colour.currentData(), "") if known else ""
+        whole = np.concatenate(known) if known else np.zeros(1)
+        look = Look(
+            faces=np.zeros((0, 3), np.int32),
+            theme=self._theme,
+            colour_title=title,
+            colour_range=(float(whole.min(initial=0 if not len(whole) else np.inf)),
+                          float(np.percentile(whole, 99.9)) if len(whole) else 1.0),
+            text_scale=self.devicePixelRatioF(),
+        )  # fmt: skip
+        panes = []
+        for place, model in enumerate(self.work.models):
+            some = values[place] if place < len(values) else None
+            panes.append(self._pane(place, model, some))
+        self.view.show_models(panes, look)
+        self._light()
+
+    def _pane(self, place: int, model: Model, values: FloatArray | None) -> ModelPane:
+        known = self._points.get(place)
+        if known is None or known[0] is not model.mesh:
+            known = self._points[place] = model.mesh, unit_points(model.mesh)
+        caption = f"{len(model.mesh.vertices):,} vertices, {len(model.mesh.faces):,} faces"
+        if values is not None:
+            values = np.nan_to_num(values, posinf=np.nan)
+        pane = Pane(str(place), model.name, caption, SERIES_COLOURS[place], known[1], values)
+        return ModelPane(pane, model.mesh.faces)
+
+    def _values(self, place: int, series: Series) -> FloatArray | None:
+        vertices = series.connectivity
+        colour = self.side.colour.currentData()
+        if colour == "distance":
+            return self.work.distances(place)
+        values = {
+            "degree": vertices.degrees,
+            "assortativity": vertices.neighbour_degrees,
+            "clustering": vertices.clustering,
+        }.get(colour)
+        return None if values is None else values.astype(np.float64)
+
+    def _show_activity(self) -> None:
+        self.side.show_activity(self.work.activity, cancelled=self.work.cancelled)
+
+    # -- what the user does
+
+    def _choose_second(self, id_: str) -> None:
+        if id_ == OPEN:
+            self.side.offer_second(self.second.choices(), self.second.chosen)
+            ask_for_file(self, "Open a second model", lambda path: self.second.choose(str(path)))
+        else:
+            self.second.choose(id_)
+
+    def _on_side_changed(self) -> None:
+        self.work.set_params(self.side.geodesic_params(), self.side.spectrum_params())
+        self._redraw_soon.request()
+
+    def _on_run_changed(self, method: str) -> None:
+        if self.second.chosen.endswith(method):
+            self._refresh_soon.request()
+
+    def _pick(self, model: int, vertex: int) -> None:
+        """Measure from a vertex, and show it where the model has no other colours."""
+        self.work.pick(model, vertex)
+        if self.side.colour.currentData() == "none":
+            self.side.colour.setCurrentIndex(self.side.colour.findData("distance"))
+
+    def _on_pointed(self, spot: Spot | None) -> None:
+        if spot is None and self._pointed is not None:
+            self.plots[self._pointed.plot].mark(Selection(), beside=False)
+        self._pointed = spot
+        self._light()
+
+    def _light(self) -> None:
+        """Light up what the pointer is over, else the picked vertex."""
+        spot, series = self._pointed, self.work.series()
+        if spot is None:
+            self.view.light([self._picked_mask(place) for place in range(len(self.work.models))])
+            return
+        found = [select(spot, one, self.work.distances(i)) for i, one in enumerate(series)]
+        words = " | ".join(selection.words for selection in found if selection.words)
+        span = next((selection.span for selection in found if selection.span), None)
+        self.plots[spot.plot].mark(Selection(None, span, words), beside=spot.beside)
+        self.view.light([selection.vertices for selection in found])
+
+    def _picked_mask(self, place: int) -> BoolArray | None:
+        picked = self.work.picked
+        if picked is None or picked[0] != place:
+            return None
+        mask = np.zeros(len(self.work.models[place].mesh.vertices), np.bool_)
+        mask[picked[1]] = True
+        return mask
+
+    def _ask_where_to_save(self, cell: str) -> None:
+        if not self.work.models:
+            return
+
+        def save(path: Path) -> None:
+            try:
+                self.save(cell, path)
+            except (ValueError, OSError) as error:
+                tell(self, str(error))
+            else:
+                self.session.notified.emit(f"Saved {path.name}.")
+
+        matrix = cell == "matrix"
+        name = f"{self.work.models[0].name}_{cell}.{'png' if matrix else 'svg'}"
+        ask_where_to_save(
+            self, "Save the plot", name, SAVE_FILTERS if matrix else _PLOT_FILTERS, save
+        )

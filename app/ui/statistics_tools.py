@@ -1,0 +1,48 @@
+"""Mesh tools: the model replaced by a finer or coarser one, as an undoable step."""
+
+from collections.abc import Callable, Iterator
+from functools import partial
+from pathlib import Path
+
+from platformdirs import user_cache_path
+
+from app.session import Job, Session
+from core.io import save_mesh
+from core.mesh import TriangleMesh
+from core.mesh.remesh import barycentric_subdivision, decimated, midpoint_subdivision
+
+TOOLS: dict[str, tuple[str, Callable[[TriangleMesh], TriangleMesh]]] = {
+    "midpoint": ("Midpoint subdivision (× 4)", midpoint_subdivision),
+    "barycentric": ("Barycentric subdivision (× 6)", barycentric_subdivision),
+    "half": ("Decimation to a half", partial(decimated, share=0.5)),
+    "quarter": ("Decimation to a quarter", partial(decimated, share=0.25)),
+}
+"""Title and function of each tool by id."""
+
+
+def remesh(session: Session, tool: str) -> None:
+    """Replace the session's model by what a tool makes of it.
+
+    The new model is written to the user's cache folder and opened from there, so that undo, redo
+    and a saved study treat it as any other model.
+    """
+    title, make = TOOLS[tool]
+    if session.meshes is None:
+        return
+    mesh, name = session.meshes.comparison.original, Path(session.meshes.name).stem
+
+    def steps() -> Iterator[Path]:
+        folder = user_cache_path("burnish", ensure_exists=True) / "remeshed"
+        folder.mkdir(exist_ok=True)
+        path = folder / f"{name}_{tool}.ply"
+        save_mesh(make(mesh), path)
+        yield path
+
+    def made(path: Path) -> None:
+        update = {"model": str(path), "noisy": None}
+        session.apply(session.study.model_copy(update=update), title)
+
+    def failed(error: Exception) -> None:
+        session.failed.emit(str(error) or type(error).__name__)
+
+    session.jobs.start(Job(steps(), made, failed), urgent=True)

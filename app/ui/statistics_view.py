@@ -1,0 +1,106 @@
+"""The model beside the statistics plots: turned with the mouse, a click picks a vertex."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QEvent, QPoint, QSize, QTimer, Signal
+from PySide6.QtGui import QMouseEvent, QResizeEvent
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+from vtkmodules.vtkRenderingCore import vtkCellPicker
+
+from app.scene.panes import Look
+from app.scene.statistics_scene import SCENE_SHAPE, ModelPane, StatisticsScene
+from app.ui.interactor import Interactor
+from core.arrays import BoolArray
+
+_CLICK_PIXELS = 4
+
+
+class StatisticsView(QWidget):
+    """Shows one model or two.
+
+    Signals
+    -------
+    picked(int, int) : a model and the vertex that was clicked on it.
+    """
+
+    picked = Signal(int, int)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.interactor = Interactor(self, SCENE_SHAPE)
+        self.interactor.installEventFilter(self)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self.interactor)
+        self.scene = StatisticsScene(self.interactor)
+        self._panes: Sequence[ModelPane] = ()
+        self._look: Look | None = None
+        self._masks: Sequence[BoolArray | None] = ()
+        self._pressed: QPoint | None = None
+        self.interactor.render_window.AddObserver(
+            "StartEvent", lambda *_: self.scene.fit_clipping()
+        )
+
+    def sizeHint(self) -> QSize:
+        return QSize(320, 270)
+
+    def show_models(self, panes: Sequence[ModelPane], look: Look) -> None:
+        """Draw models; the camera stays unless their number changes."""
+        fresh = len(panes) != len(self._panes)
+        self._panes, self._look = panes, look
+        self._draw()
+        if fresh:
+            self.look_from("Oblique")
+
+    def light(self, masks: Sequence[BoolArray | None]) -> None:
+        """Light up vertices of each model."""
+        if any(mask is not None for mask in (*masks, *self._masks)):
+            self._masks = masks
+            self.scene.light(masks)
+            self.interactor.update()
+
+    def look_from(self, preset: str) -> None:
+        """Show the whole models from a preset direction."""
+        self.scene.look_from(preset)
+        self.interactor.update()
+
+    def close_interactor(self) -> None:
+        """Release the graphics; the widget cannot be used any more."""
+        self.interactor.removeEventFilter(self)
+        self.interactor.close()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        # The interactor gets its size after this event; draw with the new one.
+        QTimer.singleShot(0, self, self._draw)
+
+    def eventFilter(self, watched: QWidget, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.MouseButtonPress:
+            self._pressed = event.position().toPoint()
+        elif event.type() == QEvent.Type.MouseButtonRelease and self._pressed is not None:
+            self._click(event)
+        return False
+
+    def _draw(self) -> None:
+        if self._look is None:
+            return
+        theme = self._look.theme
+        self.scene.set_ground(theme.ground, theme.ground_top)
+        self.scene.show(self._panes, self._look, self.interactor.pixel_size())
+        self.scene.light(self._masks)
+        self.interactor.update()
+
+    def _click(self, event: QMouseEvent) -> None:
+        """Pick the vertex nearest to where the surface was clicked without dragging."""
+        place = event.position().toPoint()
+        moved = (place - self._pressed).manhattanLength()
+        self._pressed = None
+        width, height = max(self.interactor.width(), 1), max(self.interactor.height(), 1)
+        x, y = place.x() / width, 1 - place.y() / height
+        model = self.scene.model_at(x, y)
+        if moved >= _CLICK_PIXELS or model is None:
+            return
+        picker = vtkCellPicker()
+        wide, high = self.interactor.pixel_size()
+        if picker.Pick(x * wide, y * high, 0, self.scene.renderer(model)):
+            self.picked.emit(model, self.scene.nearest_vertex(model, picker.GetPickPosition()))

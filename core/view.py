@@ -1,0 +1,53 @@
+"""How meshes are looked at: shading, colours, cameras. A part of a study, so undo covers it."""
+
+from typing import Literal
+
+from core.parameters import Params, param
+
+ColourMap = Literal["viridis", "cividis", "magma", "inferno", "gray"]
+ColourRange = Literal["percentile", "full", "manual"]
+Coordinates = tuple[float, float, float]
+
+
+class NamedCamera(Params):
+    """A camera that was saved: its name, and where it stands in model units from the centroid."""
+
+    name: str = param(..., help="Name that a person gave it.")
+    position: Coordinates = param(..., help="Where the camera is.")
+    focal_point: Coordinates = param(..., help="The point it looks at.")
+    view_up: Coordinates = param(..., help="Direction that is up in the picture.")
+
+
+class ViewSettings(Params):
+    """How the panes show the meshes."""
+
+    smooth_shading: bool = param(True, help="Smooth shading; off shows every face flat.")
+    edges: bool = param(False, help="Draw the edges of the triangles.")
+    colour: str = param("none", help="Metric that colours the panes, or none.")
+    colour_map: ColourMap = param(
+        "viridis", help="Colours of the values; all grow evenly and suit colour-blind eyes."
+    )
+    colour_reversed: bool = param(False, help="Give the largest value the darkest colour.")
+    colour_range: ColourRange = param(
+        "percentile",
+        help="Ends of the colour bar: 0 to the 98th percentile of the middling pane, "
+        "smallest to largest value of all panes, or two numbers.",
+    )
+    colour_low: float = param(0.0, help="Value at the lower end of the bar, where set by hand.")
+    colour_high: float = param(1.0, help="Value at the upper end of the bar, where set by hand.")
+    histogram: bool = param(True, help="Draw the histogram of the values beside the bar.")
+    compare_with: str = param(
+        "original", help="Pane that the selected one is compared with: original, noisy or a method."
+    )
+    linked: bool = param(True, help="Move the cameras of all panes together.")
+    cameras: tuple[NamedCamera, ...] = param((), help="Cameras that were saved by name.")
+
+    def with_camera(self, camera: NamedCamera) -> "ViewSettings":
+        """Return the settings with a camera added, in place of one of the same name."""
+        others = tuple(old for old in self.cameras if old.name != camera.name)
+        return self.model_copy(update={"cameras": (*others, camera)})
+
+    def without_camera(self, name: str) -> "ViewSettings":
+        """Return the settings without the camera of a name."""
+        kept = tuple(camera for camera in self.cameras if camera.name != name)
+        return self.model_copy(update={"cameras": kept})
