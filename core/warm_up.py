@@ -37,10 +37,11 @@ def warm_up() -> None:
 def _warm_up_skeleton(mesh: TriangleMesh) -> None:
     """Run everything that the resolution slider and the Reeb graph call."""
     field = scalar_field(mesh, "mixture")
-    for bands in ("exact", "vertices"):
-        graph = graph_of(mesh, field, band_levels(mesh, field, 5, "area"), bands=bands, root=True)
-        cut_surface(mesh, field, graph)
-    level_curves(mesh, field, graph.pieces.levels)
+    levels = band_levels(mesh, field, 5, "area")
+    graph_of(mesh, field, levels, bands="vertices", root=True)
+    graph = graph_of(mesh, field, levels)
+    cut_surface(mesh, field, graph)
+    level_curves(mesh, field, levels)
     automatic_resolution(mesh, field)
     critical_vertices(mesh, field.values)
     loop_checks(mesh, graph, component_surfaces(mesh))
