@@ -7,9 +7,11 @@ import json
 import os
 import sys
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Literal
 
 from cyclopts import App, CycloptsError, Parameter
+
+from app.usage import UsageError
 
 app = App(
     name="burnish",
@@ -19,10 +21,6 @@ app = App(
 
 DEFAULT_MODEL = "sample:creature"
 _HEADLESS_FOLDER = Path("out")
-
-
-class UsageError(ValueError):
-    """Raised when the words of a command do not fit; one sentence says how."""
 
 
 def main(arguments: list[str] | None = None) -> None:
@@ -37,30 +35,34 @@ def main(arguments: list[str] | None = None) -> None:
 
 @app.default
 def window(model: str = DEFAULT_MODEL, /) -> int:
-    """Open the window on a model; with no display, write the comparison into out/.
+    """Open the window on a model or a study; with no display, write the comparison into out/.
 
     Parameters
     ----------
     model
-        Path of a model, or sample:ID for a bundled one.
+        Path of a model or a .burnish study, or sample:ID for a bundled model.
     """
     if _has_display():
         from app.ui.application import start
 
         return start(model)
     _say(f"There is no display; the comparison goes into {_HEADLESS_FOLDER}/ instead.")
-    compare(model, output=_HEADLESS_FOLDER)
+    if model.lower().endswith(".burnish"):
+        compare(study=Path(model), output=_HEADLESS_FOLDER)
+    else:
+        compare(model, output=_HEADLESS_FOLDER)
     return 0
 
 
 @app.command
 def compare(
-    model: str,
+    model: str | None = None,
     /,
     *,
+    study: Path | None = None,
     noisy: str | None = None,
-    sigma: float = 0.02,
-    seed: int = 0,
+    sigma: float | None = None,
+    seed: int | None = None,
     methods: str | None = None,
     iterations: int | None = None,
     set_: Annotated[list[str] | None, Parameter(name="--set")] = None,
@@ -73,17 +75,19 @@ def compare(
     Parameters
     ----------
     model
-        Path of the original, or sample:ID for a bundled one.
+        Path of the original, or sample:ID for a bundled one; with --study it replaces the study's.
+    study
+        Study file to carry out; the other options change what they name.
     noisy
         Separate noisy file of the same model; then no noise is added.
     sigma
-        Standard deviation of the noise in mean edge lengths, 0 to 1.
+        Standard deviation of the noise in mean edge lengths, 0 to 1; 0.02 if not given.
     seed
-        Seed of the noise.
+        Seed of the noise; 0 if not given.
     methods
         Ids of the methods, separated by commas; the thesis' five if not given.
     iterations
-        Iterations of every method.
+        Iterations of every method; 6 if not given. For one method: --set id.iterations=N.
     set_
         Parameter of a method as id.parameter=value; may be given several times.
     model_units
@@ -94,24 +98,108 @@ def compare(
         Print one JSON object instead of the table.
     """
     from app.export.reports import comparison_json, comparison_text
+    from app.study_words import study_of_words
     from core.comparison import run
-    from core.noise import NoiseParams
-    from core.parameters import build_params
-    from core.study import Study
 
-    study = Study(
-        model=model,
-        noisy=noisy,
-        noise=build_params(NoiseParams, {"sigma": sigma, "seed": seed}, "noise"),
-        methods=_choices(methods, iterations, set_ or []),
-        model_units=model_units,
-    )
-    result = run(study)
+    result = run(
+        study_of_words(
+            model, file=study, noisy=noisy, noise={"sigma": sigma, "seed": seed}, methods=methods,
+            iterations=iterations, settings=set_ or [], model_units=model_units,
+        )
+    )  # fmt: skip
     if output is not None:
         from app.export.bundle import write_comparison
 
         write_comparison(result, output)
     _say(json.dumps(comparison_json(result)) if json_ else comparison_text(result))
+
+
+@app.command
+def study(
+    file: Path,
+    /,
+    *,
+    as_: Annotated[Literal["command", "python"], Parameter(name="--as")] = "command",
+) -> None:
+    """Show a study as the command line or the Python script that gives the same numbers.
+
+    Parameters
+    ----------
+    file
+        Study file.
+    as_
+        What to show.
+    """
+    from app.export.study_script import script_of
+    from app.study_words import command_of, study_of_words
+
+    shown = study_of_words(None, file=file)
+    _say((command_of if as_ == "command" else script_of)(shown))
+
+
+@app.command
+def skeleton(
+    model: str,
+    /,
+    *,
+    field: str = "mixture",
+    resolution: str = "22",
+    bands: str = "exact",
+    spacing: str = "value",
+    root: bool = False,
+    set_: Annotated[list[str] | None, Parameter(name="--set")] = None,
+    output: Annotated[Path | None, Parameter(name=["-o", "--output"])] = None,
+    json_: Annotated[bool, Parameter(name="--json", negative="")] = False,
+) -> None:
+    """Draw the skeletal graph of a model and count its nodes, arcs and loops.
+
+    Parameters
+    ----------
+    model
+        Path of the model, or sample:ID for a bundled one.
+    field
+        Id of the field: mixture, euclidean, affine or height.
+    resolution
+        Number of bands R, 1 to 64, or auto.
+    bands
+        exact cuts the faces at the levels; vertices is the printed algorithm.
+    spacing
+        Levels at equal steps of the value, of the distance, or of the area.
+    root
+        Join the centroid to the nodes of the first band.
+    set_
+        Parameter of the field as parameter=value; may be given several times.
+    output
+        File for the graph (.graphml, .json, .obj, .csv, .swc) or for a picture (.png).
+    json_
+        Print one JSON object instead of the text.
+    """
+    from app.export.skeleton_report import (
+        check_output,
+        draw_skeleton,
+        read_surface,
+        skeleton_json,
+        skeleton_text,
+        write_skeleton,
+    )
+    from core.fields import field_spec
+    from core.parameters import build_params
+    from core.study import SkeletonView
+
+    automatic = resolution == "auto"
+    settings = build_params(field_spec(field).params, _field_settings(set_ or []), field)
+    words = {"field": field, "bands": bands, "spacing": spacing, "root": root}
+    count = {} if automatic else {"resolution": resolution}
+    params = settings.model_dump(exclude_defaults=True)
+    view = build_params(SkeletonView, {**words, **count, "params": params})
+    if output is not None:
+        check_output(output)
+    drawn, seconds = draw_skeleton(read_surface(model), view, automatic=automatic)
+    if output is not None:
+        write_skeleton(drawn, output)
+    report = skeleton_json if json_ else skeleton_text
+    made = report(drawn, seconds)
+    _say(json.dumps(made) if json_ else str(made))
 
 
 @app.command
@@ -182,36 +270,14 @@ def methods(*, json_: Annotated[bool, Parameter(name="--json", negative="")] = F
     _say(json.dumps(methods_json()) if json_ else methods_text())
 
 
-def _choices(methods: str | None, iterations: int | None, settings: list[str]) -> tuple[Any, ...]:
-    """Build the choices of a study from the words of the command line."""
-    from core.parameters import build_params
-    from core.smoothing import method_spec
-    from core.study import MethodChoice, default_choices
-
-    ids = [choice.method for choice in default_choices() if choice.enabled]
-    if methods is not None:
-        ids = [method_spec(id_.strip()).id for id_ in methods.split(",")]
-    params: dict[str, dict[str, Any]] = {id_: {} for id_ in ids}
+def _field_settings(settings: list[str]) -> dict[str, str]:
+    values = {}
     for setting in settings:
-        id_, name, value = _parse_setting(setting)
-        if id_ not in params:
-            raise UsageError(f"--set {setting}: {id_} does not take part; {', '.join(ids)} do.")
-        params[id_][name] = value
-    counts = {} if iterations is None else {"iterations": iterations}
-    made = [
-        build_params(MethodChoice, {"method": id_, "params": params[id_], **counts}) for id_ in ids
-    ]
-    for choice in made:
-        _ = choice.settings  # a wrong value is told now, not after minutes of work
-    return tuple(made)
-
-
-def _parse_setting(setting: str) -> tuple[str, str, str]:
-    left, equals, value = setting.partition("=")
-    id_, dot, name = left.partition(".")
-    if not (equals and dot and name):
-        raise UsageError(f"--set {setting} is not of the form id.parameter=value.")
-    return id_, name, value
+        name, equals, value = setting.partition("=")
+        if not (equals and name):
+            raise UsageError(f"--set {setting} is not of the form parameter=value.")
+        values[name] = value
+    return values
 
 
 def _has_display() -> bool:

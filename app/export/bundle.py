@@ -11,6 +11,7 @@ from app.export.tables import as_csv, as_markdown, study_rows
 from app.scene.comparison import study_look, study_panes
 from core.comparison import StudyResult
 from core.io import SaveError, save_mesh
+from core.study_files import write_study_file
 
 _PICTURE_SIZE = (1920, 1080)
 _TEXT_SCALE = 1.5
@@ -40,10 +41,10 @@ def _write_numbers(result: StudyResult, folder: Path) -> None:
         "table.csv": as_csv(rows),
         "table.md": as_markdown(rows),
         "result.json": json.dumps(comparison_json(result), indent=1),
-        "study.json": result.study.model_dump_json(indent=1),
     }
     for name, text in texts.items():
         (folder / name).write_text(text, encoding="utf-8")
+    write_study_file(result.study, folder / "study.burnish")
 
 
 def _write_meshes(result: StudyResult, folder: Path) -> None:

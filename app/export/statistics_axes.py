@@ -59,7 +59,7 @@ def degree_scale(axes: Axes, series: Sequence[Series]) -> None:
         axes.set_xscale("log")
         axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     else:
-        axes.xaxis.set_major_locator(MaxNLocator("auto", integer=True))
+        axes.xaxis.set_major_locator(MaxNLocator(14, integer=True, steps=[1, 2, 5, 10]))
 
 
 def draw_beside(axes: Axes, histogram: Histogram, colour: str) -> None:

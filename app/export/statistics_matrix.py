@@ -42,13 +42,12 @@ def draw_matrix(figure: FigureBase, matrix: csr_array, theme: Theme) -> Axes:
     density = matrix_density(matrix)
     axes.grid(visible=False)
     ink = LinearSegmentedColormap.from_list("ink", [theme.faint, theme.ink])
-    ink.set_bad(theme.panel)
     shown = np.ma.masked_equal(density, 0)
     lowest = float(shown.min()) if shown.count() else 1.0
     m = matrix.shape[0]
     axes.imshow(
         shown,
-        cmap=ink,
+        cmap=ink.with_extremes(bad=theme.panel),
         norm=LogNorm(lowest / 3, max(float(density.max()), lowest)),
         extent=(0, m, m, 0),
         interpolation="nearest",
@@ -62,7 +61,7 @@ def matrix_words(matrix: csr_array) -> str:
     """Say how large and how full a matrix is."""
     m, entries = matrix.shape[0], matrix.nnz
     side = -(-m // CELLS)
-    rest = f" A square stands for {side} × {side} entries, darker where more of them are set."
+    rest = f" A square stands for {side} × {side} entries, stronger where more of them are set."
     return (
         f"{m:,} × {m:,}, {entries:,} entries ({100 * entries / max(m**2, 1):.2g} %). "
         "Neighbours with far apart numbers lie far from the diagonal."

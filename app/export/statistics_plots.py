@@ -23,7 +23,7 @@ from app.export.statistics_axes import (
 from app.export.statistics_series import Series
 from app.scene.colours import LIGHT, Theme
 from core.io import SaveError
-from core.statistics import AxisLabels, ByDegree, GeodesicDistances, Spectrum
+from core.statistics import AxisLabels, ByDegree, GeodesicDistances, Histogram, Spectrum
 
 _BINS = 40
 _SMOOTH = np.array([1, 4, 6, 4, 1]) / 16
@@ -91,15 +91,15 @@ def _draw_spectrum(figure: FigureBase, series: Sequence[Series], theme: Theme) -
     axes.set_xlim(0, 1)
     for one in series:
         if one.spectrum:
-            _draw_eigenvalues(axes, beside, one.spectrum, one.colour)
+            _draw_eigenvalues(axes, beside, one.spectrum, one)
     axes.set_ylim(bottom=0)
     add_legend(axes, series, theme)
     return axes
 
 
-def _draw_eigenvalues(axes: Axes, beside: Axes, spectrum: Spectrum, colour: str) -> None:
-    ranks = spectrum.ranks
-    axes.plot(ranks, spectrum.eigenvalues, color=colour, lw=1.6)
+def _draw_eigenvalues(axes: Axes, beside: Axes, spectrum: Spectrum, one: Series) -> None:
+    ranks, colour = spectrum.ranks, one.colour
+    axes.plot(ranks, spectrum.eigenvalues, **one.line)
     if not spectrum.exact:
         axes.fill_between(ranks, spectrum.low, spectrum.high, color=colour, alpha=0.3, lw=0)
     draw_beside(beside, spread_over_ranks(ranks, spectrum.eigenvalues, _BINS), colour)
@@ -119,7 +119,7 @@ def _draw_degree(figure: FigureBase, series: Sequence[Series], theme: Theme) -> 
 def _draw_assortativity(figure: FigureBase, series: Sequence[Series], theme: Theme) -> Axes:
     axes, beside = marginal_axes(figure, _labels(series, "assortativity"), theme)
     for one in series:
-        _draw_by_degree(axes, beside, one.assortativity, one.colour)
+        _draw_by_degree(axes, beside, one.assortativity, one)
         degrees = one.connectivity.degrees
         unrelated = (degrees.astype(float) ** 2).mean() / max(degrees.mean(), 1e-300)
         axes.axhline(unrelated, color=one.colour, lw=1, ls=(0, (4, 3)), alpha=0.7)
@@ -135,25 +135,26 @@ def _draw_clustering(figure: FigureBase, series: Sequence[Series], theme: Theme)
     k = np.linspace(3, max(last, 3), 200)
     axes.plot(k, 2 / (k - 1), color=theme.ink, lw=1, ls=(0, (4, 3)), alpha=0.7)
     for one in series:
-        _draw_by_degree(axes, beside, one.clustering, one.colour)
+        _draw_by_degree(axes, beside, one.clustering, one)
     axes.set_ylim(0, 1.05)
     degree_scale(axes, series)
     add_legend(axes, series, theme)
     return axes
 
 
-def _draw_by_degree(axes: Axes, beside: Axes, result: ByDegree, colour: str) -> None:
-    axes.plot(result.degrees, result.quantity, "o-", color=colour, lw=1.6, ms=4.5)
+def _draw_by_degree(axes: Axes, beside: Axes, result: ByDegree, one: Series) -> None:
+    axes.plot(result.degrees, result.quantity, marker="o", ms=4.5, **one.line)
     if result.histogram:
-        draw_beside(beside, result.histogram, colour)
+        draw_beside(beside, result.histogram, one.colour)
 
 
 def _draw_geodesic(figure: FigureBase, series: Sequence[Series], theme: Theme) -> Axes:
-    labels = AxisLabels("geodesic distance (ℓ̄)", "share of pairs per ℓ̄")
+    unit = "longest" if any(one.relative for one in series) else "ℓ̄"
+    labels = AxisLabels(f"geodesic distance ({unit})", f"share of pairs per {unit}")
     axes = main_axes(figure, labels, theme)
     for one in series:
         if one.geodesic:
-            _draw_distances(axes, one.geodesic, one.colour)
+            _draw_distances(axes, one.geodesic, one)
     axes.set_xlim(left=0)
     axes.set_ylim(bottom=0)
     axes.ticklabel_format(axis="y", scilimits=(-3, 4), useMathText=True)
@@ -162,12 +163,12 @@ def _draw_geodesic(figure: FigureBase, series: Sequence[Series], theme: Theme) -
     return axes
 
 
-def _draw_distances(axes: Axes, distances: GeodesicDistances, colour: str) -> None:
-    histogram = distances.histogram
+def _draw_distances(axes: Axes, distances: GeodesicDistances, one: Series) -> None:
+    histogram = Histogram(distances.histogram.edges / one.distance_unit, distances.histogram.counts)
     density = histogram.shares / np.maximum(np.diff(histogram.edges), 1e-300)
-    axes.stairs(density, histogram.edges, fill=True, color=colour, alpha=0.4)
+    axes.stairs(density, histogram.edges, fill=True, color=one.colour, alpha=0.4)
     smooth = np.convolve(np.pad(density, 2), _SMOOTH)[4:-4]
-    axes.plot(histogram.centres, smooth, color=colour, lw=1.6)
+    axes.plot(histogram.centres, smooth, **one.line)
 
 
 def _make_height(axes: Axes, least: float) -> None:

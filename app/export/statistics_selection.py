@@ -6,8 +6,9 @@ import numpy as np
 
 from app.export.statistics_series import Series
 from core.arrays import BoolArray, FloatArray
-from core.statistics import GeodesicDistances, Histogram
+from core.statistics import Histogram
 
+_REACH = 0.06
 _NO_VERTEX = "Click the model to pick a vertex: then a bar lights up those that far from it."
 
 
@@ -65,7 +66,7 @@ def select(spot: Spot, series: Series, distances: FloatArray | None) -> Selectio
     if spot.plot == "spectrum":
         return _eigenvalue(spot, series)
     if spot.plot == "geodesic":
-        return _distance(spot, series.geodesic, distances)
+        return _distance(spot, series, distances)
     if spot.beside:
         return _value(spot, series)
     return _degree(spot, series)
@@ -96,37 +97,40 @@ def _degree(spot: Spot, series: Series) -> Selection:
 
 def _value(spot: Spot, series: Series) -> Selection:
     result = series.assortativity if spot.plot == "assortativity" else series.clustering
-    vertices = series.connectivity
-    values = vertices.neighbour_degrees if spot.plot == "assortativity" else vertices.clustering
+    values = series.vertex_values(spot.plot)
     symbol = "K_nn" if spot.plot == "assortativity" else "C"
     span = _bin(result.histogram, spot.y)
-    if span is None:
+    if span is None or values is None:
         return Selection()
     mask = _within(values, span)
     words = f"{symbol} from {span[0]:.3g} to {span[1]:.3g}: {int(mask.sum()):,} vertices"
     return Selection(mask, span, words)
 
 
-def _distance(
-    spot: Spot, geodesic: GeodesicDistances | None, distances: FloatArray | None
-) -> Selection:
-    span = _bin(geodesic.histogram if geodesic else None, spot.x)
+def _distance(spot: Spot, series: Series, distances: FloatArray | None) -> Selection:
+    geodesic, unit = series.geodesic, series.distance_unit
+    span = _bin(geodesic.histogram if geodesic else None, spot.x * unit)
     if geodesic is None or span is None:
         return Selection()
+    shown = (span[0] / unit, span[1] / unit)
     if distances is None:
-        return Selection(None, span, _NO_VERTEX)
+        return Selection(None, shown, _NO_VERTEX)
     mask = _within(distances, span)
     words = f"{span[0]:.3g} to {span[1]:.3g} ℓ̄ from the picked vertex: {int(mask.sum()):,} vertices"
-    return Selection(mask, span, words)
+    return Selection(mask, shown, words)
 
 
 def _bin(histogram: Histogram | None, value: float) -> tuple[float, float] | None:
-    """Bin that a value falls into."""
-    if histogram is None or not histogram.edges[0] <= value <= histogram.edges[-1]:
+    """Bin with something in it that is at a value or next to it: bins may be thin as a hair."""
+    if histogram is None or not histogram.counts.any():
         return None
-    place = int(np.searchsorted(histogram.edges, value, side="right")) - 1
-    place = min(place, len(histogram.counts) - 1)
-    return float(histogram.edges[place]), float(histogram.edges[place + 1])
+    low, high = histogram.edges[:-1], histogram.edges[1:]
+    away = np.maximum(np.maximum(low - value, value - high), 0)
+    away[histogram.counts == 0] = np.inf
+    place = int(np.argmin(away))
+    if away[place] > _REACH * (high[-1] - low[0]):
+        return None
+    return float(low[place]), float(high[place])
 
 
 def _within(values: FloatArray, span: tuple[float, float]) -> BoolArray:

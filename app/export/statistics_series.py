@@ -1,7 +1,11 @@
 """The statistics of one model as the plots and tables want them, whole or half computed."""
 
 from dataclasses import dataclass
+from typing import Any
 
+import numpy as np
+
+from core.arrays import FloatArray
 from core.statistics import (
     ByDegree,
     Connectivity,
@@ -35,6 +39,8 @@ class Series:
         None while it is not there yet.
     geodesic : GeodesicDistances or None
         None while it is not there yet.
+    relative : bool
+        Whether distances are shown as shares of the longest instead of in ℓ̄.
     """
 
     name: str
@@ -45,6 +51,27 @@ class Series:
     clustering: ByDegree
     spectrum: Spectrum | None = None
     geodesic: GeodesicDistances | None = None
+    relative: bool = False
+
+    @property
+    def line(self) -> dict[str, Any]:
+        """Style of its curves: the second model's are dashed, lest they hide equal ones."""
+        second = self.colour == SERIES_COLOURS[1]
+        return {"color": self.colour, "lw": 1.6, "ls": (0, (5, 1.5)) if second else "-"}
+
+    @property
+    def distance_unit(self) -> float:
+        """What distances are divided by for the plot, in units of ℓ̄."""
+        return (self.geodesic.longest or 1.0) if self.relative and self.geodesic else 1.0
+
+    def vertex_values(self, quantity: str) -> FloatArray | None:
+        """Return degree, assortativity (K_nn) or clustering of every vertex, None for another."""
+        values = {
+            "degree": self.connectivity.degrees.astype(np.float64),
+            "assortativity": self.connectivity.neighbour_degrees,
+            "clustering": self.connectivity.clustering,
+        }
+        return values.get(quantity)
 
     @classmethod
     def of_vertices(cls, name: str, colour: str, vertices: Connectivity) -> "Series":

@@ -22,15 +22,15 @@ def _spectrum(series: Sequence[Series]) -> str:
     connectivity = _beside(f"{one.algebraic_connectivity:.2g}" for one in known)
     zeros = _beside(f"{one.zero_count:,}" for one in known)
     return (
-        f"Eigenvalues of the Laplacian, largest first; λ₂ = {connectivity}, "
-        f"zero eigenvalues = pieces: {zeros}. A high start means tightly knit vertices."
+        f"Eigenvalues, largest first: high means tightly knit. λ₂ = {connectivity}, "
+        f"zeros (one a piece): {zeros}."
         f"{_accuracy(series)}"
     )
 
 
 def _accuracy(series: Sequence[Series]) -> str:
     rough = [one.spectrum for one in series if one.spectrum and not one.spectrum.exact]
-    return f" Approximate, ±{max(one.error for one in rough):.2g} (shaded)." if rough else ""
+    return f" Approximate, within ±{max(one.error for one in rough):.2g} (shaded)." if rough else ""
 
 
 def _degree(series: Sequence[Series]) -> str:
@@ -46,10 +46,12 @@ def _degree(series: Sequence[Series]) -> str:
 
 
 def _assortativity(series: Sequence[Series]) -> str:
-    words = _beside(_mixing(one.connectivity.assortativity_coefficient) for one in series)
+    found = [one.connectivity.assortativity_coefficient for one in series]
+    verdicts = list(dict.fromkeys(map(_mixing, found)))
+    numbers = _beside("–" if np.isnan(r) else f"{r:.2f}".replace("-", "−") for r in found)
     return (
-        f"Average degree of the neighbours of a vertex with k of them. {words}. "
-        "Level with the dashed line: degrees of neighbours are unrelated."
+        f"Average degree of the neighbours of a vertex with k of them. {_beside(verdicts)} "
+        f"(r = {numbers}). Dashed: if neighbours' degrees were unrelated."
     )
 
 
@@ -57,16 +59,15 @@ def _mixing(coefficient: float) -> str:
     if np.isnan(coefficient):
         return "All degrees are equal"
     if abs(coefficient) < _NEUTRAL:
-        return f"Neither rising nor falling (r = {coefficient:.2f})"
-    word = "Rising: assortative" if coefficient > 0 else "Falling: disassortative"
-    return f"{word} (r = {coefficient:.2f})"
+        return "Neither rises nor falls"
+    return "Rises: assortative" if coefficient > 0 else "Falls: disassortative"
 
 
 def _clustering(series: Sequence[Series]) -> str:
     mean = _beside(f"{one.connectivity.clustering.mean():.3g}" for one in series)
     return (
-        "Share of a vertex's neighbours that are neighbours of each other: 1 is all of them, "
-        f"on average {mean}. Dashed: 2/(k − 1), the thesis' value inside a surface."
+        f"Share of a vertex's neighbours that are joined to each other: 1 is all, {mean} on "
+        "average. Dashed: 2/(k − 1), as inside a closed surface."
     )
 
 
@@ -76,10 +77,10 @@ def _geodesic(series: Sequence[Series]) -> str:
         return "How far the vertices are from each other along the surface."
     peaks = _beside(_peaks(one.modes) for one in known)
     lost = _beside(f"{one.unreachable_pairs:,} of {one.pairs:,}" for one in known)
-    rest = f" No path between {lost} pairs." if any(one.unreachable_pairs for one in known) else ""
+    rest = f" No path: {lost} pairs." if any(one.unreachable_pairs for one in known) else ""
     return (
-        f"How far two vertices are from each other: {peaks}. "
-        f"Limbs and humps show as further peaks.{rest}"
+        f"How far vertices are from each other: {peaks}. "
+        f"Limbs and humps give further peaks or shoulders.{rest}"
     )
 
 
@@ -87,7 +88,7 @@ def _peaks(modes: FloatArray) -> str:
     if not len(modes):
         return "no peak"
     places = ", ".join(f"{mode:.3g}" for mode in modes)
-    return f"{len(modes)} peak{'s' if len(modes) > 1 else ''} at {places} ℓ̄"
+    return f"{'peaks' if len(modes) > 1 else 'one peak'} at {places} ℓ̄"
 
 
 def _beside(words: Iterable[str]) -> str:

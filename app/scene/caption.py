@@ -25,13 +25,26 @@ class Caption:
         renderer.AddViewProp(self._title)
         renderer.AddViewProp(self._caption)
 
-    def show(self, pane: Pane, look: Look, height: float) -> None:
-        """Write a pane's text; `height` is the height of its viewport in pixels."""
+    def remove_from(self, renderer: pv.Renderer) -> None:
+        """Take the text out of a renderer."""
+        renderer.RemoveViewProp(self._title)
+        renderer.RemoveViewProp(self._caption)
+
+    def show(self, pane: Pane, look: Look, height: float, right: float | None = None) -> None:
+        """Write a pane's text.
+
+        `height` is the height of its viewport in pixels; the text ends at `right`, or begins at
+        the left edge where that is None.
+        """
         scale = look.text_scale
         top = height - _MARGIN * scale
-        self._place(self._title, top, int(_TITLE_SIZE * scale), _MARGIN * scale)
+        edge = _MARGIN * scale if right is None else right - _MARGIN * scale
+        self._place(self._title, top, int(_TITLE_SIZE * scale), edge)
         below = top - (_TITLE_SIZE + 7) * scale
-        self._place(self._caption, below, int(_CAPTION_SIZE * scale), _MARGIN * scale)
+        self._place(self._caption, below, int(_CAPTION_SIZE * scale), edge)
+        for line in (self._title, self._caption):
+            justify = "left" if right is None else "right"
+            line.prop.justification_horizontal = justify
         self._title.input = pane.title
         self._title.prop.SetColor(pv.Color(pane.colour).float_rgb)
         self._caption.input = pane.caption

@@ -5,9 +5,10 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from app.scene.colouring import colour_map, colour_range, shares_between
 from app.scene.colours import LIGHT, NOISY_COLOUR, ORIGINAL_COLOUR, Theme, method_colour
 from app.scene.grid import CAPACITY
-from app.scene.panes import Look, Pane, Points, shared_range
+from app.scene.panes import Look, Pane, Points
 from app.session import Meshes, Run, Session
 from core.arrays import FloatArray
 from core.comparison import Comparison, MethodResult, StudyResult
@@ -58,10 +59,17 @@ def method_pane(
 
 
 def build_look(
-    study: Study, comparison: Comparison, panes: list[Pane], theme: Theme, text_scale: float
+    study: Study,
+    comparison: Comparison,
+    panes: list[Pane],
+    theme: Theme,
+    text_scale: float,
+    selected: str | None = None,
 ) -> Look:
     """How the panes of a study are drawn."""
     metric = study.metrics.get(study.view.colour)
+    ends = colour_range(study.view, panes)
+    with_histogram = metric is not None and study.view.histogram
     return Look(
         faces=comparison.original.faces,
         theme=theme,
@@ -69,7 +77,10 @@ def build_look(
         edges=study.view.edges,
         values_on=metric.elements_on if metric else "vertex",
         colour_title=_bar_title(metric) if metric else "",
-        colour_range=shared_range(panes),
+        colour_range=ends,
+        colour_map=colour_map(study.view),
+        histogram=shares_between(panes, selected, ends) if with_histogram else None,
+        selected=selected,
         text_scale=text_scale,
     )
 
@@ -100,8 +111,8 @@ class ComparisonScene:
         meshes = self._session.meshes
         if meshes is None:
             return Look(np.zeros((0, 3), np.int32), theme)
-        look = build_look(self._session.study, meshes.comparison, panes, theme, scale)
-        return replace(look, selected=selected)
+        study = self._session.study
+        return build_look(study, meshes.comparison, panes, theme, scale, selected)
 
     def _place_ends(self, meshes: Meshes) -> None:
         """Centre the original and the noisy mesh as the runs are."""
@@ -164,4 +175,7 @@ def _centred(vertices: FloatArray, centre: FloatArray) -> Points:
 
 
 def _bar_title(metric: MetricSpec) -> str:
-    return f"{metric.title}\n({metric.elements_unit})"
+    # The title stands above a narrow bar, so a long one takes two lines.
+    title = metric.heat_title.replace(" to ", "\nto ")
+    gap = " " if "\n" in title else "\n"
+    return f"{title}{gap}({metric.elements_unit})"

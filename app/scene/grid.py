@@ -12,13 +12,14 @@ from app.scene.colour_bar import ColourBar
 from app.scene.layout import Viewport, tile
 from app.scene.panes import Look, Pane
 from app.scene.surface import SurfaceActor, cell_array, lookup_table
+from app.scene.swipe import Swipe, SwipeLayer
 from core.arrays import IntArray
 
 CAPACITY = 9
 GRID_SHAPE = (2, 5)
 """Shape a plotter needs: nine panes and the colour bar."""
 
-_BAR_PIXELS = 96.0
+_BAR_PIXELS = 124.0
 _NOWHERE = Viewport(0.0, 0.0, 0.0, 0.0)
 
 
@@ -35,10 +36,13 @@ class PaneGrid:
         self.plotter = plotter
         self.viewports: dict[str, Viewport] = {}
         self.enlarged: str | None = None
+        self.swipe: Swipe | None = None
         self._renderers = list(plotter.renderers)[:CAPACITY]
         self._bar_renderer = list(plotter.renderers)[CAPACITY]
         self._surfaces = [SurfaceActor() for _ in self._renderers]
         self._captions = [Caption() for _ in self._renderers]
+        self._borders = {renderer: renderer.add_border() for renderer in self._renderers}
+        self._swiped = SwipeLayer()
         self._bar = ColourBar()
         self._bar.add_to(self._bar_renderer)
         self._cells: tuple[IntArray, vtkCellArray] | None = None
@@ -55,7 +59,7 @@ class PaneGrid:
         """Draw the panes in a window of `size` pixels; at most :data:`CAPACITY`."""
         self._panes, self._look = list(panes[:CAPACITY]), look
         self._arrange(look, size)
-        table = lookup_table(look.colour_range)
+        table = lookup_table(look.colour_range, look.colour_map)
         self._bar.show(look, table)
         cells = self._shared_cells(look.faces)
         for (renderer, surface, caption), pane in zip(self._slots(), self._panes, strict=False):
@@ -64,6 +68,7 @@ class PaneGrid:
                 height = self.viewports[pane.id].pixels(*size)[3]
                 caption.show(pane, look, height)
                 self._frame(renderer, look, selected=pane.id == look.selected)
+        self._show_swipe(look, cells, table, size)
 
     def set_ground(self, bottom: str, top: str | None) -> None:
         """Colour the background, with a gradient if `top` is given."""
@@ -76,13 +81,32 @@ class PaneGrid:
         return list(self._panes)
 
     @property
+    def look(self) -> Look | None:
+        """How they were drawn last."""
+        return self._look
+
+    @property
     def ids(self) -> list[str]:
         """Ids of the panes in their order."""
         return [pane.id for pane in self._panes]
 
+    def pane_size(self, size: tuple[int, int]) -> tuple[float, float]:
+        """Width and height of the first pane in a window of `size` pixels."""
+        port = next(iter(self.viewports.values()), Viewport(0.0, 0.0, 1.0, 1.0))
+        return port.pixels(*size)[2:]
+
     def pane_at(self, x: float, y: float) -> str | None:
         """Return the pane at a point, in shares of the window from the lower left corner."""
         return next((id_ for id_, port in self.viewports.items() if port.holds(x, y)), None)
+
+    def mesh_at(self, x: float, y: float) -> str | None:
+        """Return the pane whose mesh is seen at a point, either side of a swipe's line."""
+        pane = self.pane_at(x, y)
+        if self.swipe is None or pane is None:
+            return pane
+        port = self.viewports[pane]
+        on_right = x >= port.left + self.swipe.share * (port.right - port.left)
+        return self.swipe.right if on_right else self.swipe.left
 
     def renderer(self, pane: str) -> pv.Renderer:
         """Return the renderer of a pane."""
@@ -137,6 +161,7 @@ class PaneGrid:
         union = np.stack([low, high], axis=1).ravel()
         for renderer in self._renderers:
             renderer.ResetCameraClippingRange(union)
+        self._swiped.cut(self._narrowest)
 
     def _slots(self) -> list[tuple[pv.Renderer, SurfaceActor, Caption]]:
         return list(zip(self._renderers, self._surfaces, self._captions, strict=True))
@@ -159,11 +184,15 @@ class PaneGrid:
     def _arrange(self, look: Look, size: tuple[int, int]) -> None:
         """Give each shown pane its viewport; the others get none."""
         width, height = size
-        bar = _BAR_PIXELS * look.text_scale / max(width, 1) if look.colour_title else 0.0
+        has_bar = look.bar and bool(look.colour_title)
+        bar = _BAR_PIXELS * look.text_scale / max(width, 1) if has_bar else 0.0
         right = 1 - min(bar, 0.4)
         if self.enlarged not in self.ids:
             self.enlarged = None
-        shown = [self.enlarged] if self.enlarged else self.ids
+        if self.swipe and not {self.swipe.left, self.swipe.right} <= set(self.ids):
+            self.swipe = None
+        alone = self.swipe.left if self.swipe else self.enlarged
+        shown = [alone] if alone else self.ids
         ports = tile(len(shown), width / max(height, 1), right)
         self.viewports = dict(zip(shown, ports, strict=True))
         sides = [port.pixels(width, max(height, 1))[2:] for port in ports]
@@ -177,7 +206,21 @@ class PaneGrid:
             renderer.SetDraw(place != _NOWHERE)
         self._bar_renderer.InteractiveOff()
 
-    @staticmethod
-    def _frame(renderer: pv.Renderer, look: Look, *, selected: bool) -> None:
+    def _show_swipe(
+        self, look: Look, cells: vtkCellArray, table: pv.LookupTable, size: tuple[int, int]
+    ) -> None:
+        if self.swipe is None:
+            self._swiped.hide()
+            return
+        left, right = (self.ids.index(id_) for id_ in (self.swipe.left, self.swipe.right))
+        pixels = self.viewports[self.swipe.left].pixels(*size)[2:]
+        self._swiped.show(
+            self._renderers[left], self._surfaces[left], self.swipe, self._panes[right], look,
+            cells, table, pixels,
+        )  # fmt: skip
+
+    def _frame(self, renderer: pv.Renderer, look: Look, *, selected: bool) -> None:
         colour = look.theme.accent if selected else look.theme.faint
-        renderer.add_border(colour, (3 if selected else 1) * look.text_scale)
+        line = self._borders[renderer].GetProperty()
+        line.SetColor(pv.Color(colour).float_rgb)
+        line.SetLineWidth((3 if selected else 1) * look.text_scale)

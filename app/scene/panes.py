@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.scene.colours import LIGHT, Theme
-from core.arrays import IntArray
+from core.arrays import FloatArray, IntArray
 
 Points = NDArray[np.float32]
 
@@ -59,6 +59,12 @@ class Look:
         Title of the colour bar; empty where no values are shown.
     colour_range : (float, float)
         Values at the ends of the colour bar, the same for all panes.
+    colour_map : str
+        Name of the colour map; "_r" at its end reverses it.
+    histogram : (b,) float64 ndarray or None
+        Heights of the bins beside the colour bar, 0 to 1 from the lower end up.
+    bar, framed : bool
+        Whether the colour bar and the frames of the panes are drawn.
     selected : str or None
         Pane with a frame.
     text_scale : float
@@ -72,6 +78,10 @@ class Look:
     values_on: Literal["vertex", "face"] = "vertex"
     colour_title: str = ""
     colour_range: tuple[float, float] = (0.0, 1.0)
+    colour_map: str = "viridis"
+    histogram: FloatArray | None = None
+    bar: bool = True
+    framed: bool = True
     selected: str | None = None
     text_scale: float = 1.0
 

@@ -12,7 +12,7 @@ from core.arrays import BoolArray, FloatArray
 
 _LARGEST, _SMALLEST = 0.011, 0.0068
 _SHARE_OF_ARC = 0.42
-_TUBE = 0.42
+_TUBE = 0.34
 _REGULAR, _ROOT, _PICKED = 0.8, 1.4, 1.7
 _SIDES = 10
 

@@ -22,13 +22,12 @@ SHAPE = (1, 2)
 """Shape a plotter needs."""
 
 _PEELS = 8
-_XRAY = 0.5
 _CLICK_PIXELS = 9.0
 _NOWHERE = Viewport(0.0, 0.0, 0.0, 0.0)
 
 
 class _Slot:
-    """The actors of one pane in their renderer, and an overlay that no surface hides."""
+    """The actors of one pane: the graph in an overlay, so that no surface hides it."""
 
     def __init__(self, renderer: pv.Renderer) -> None:
         self.renderer = renderer
@@ -38,16 +37,15 @@ class _Slot:
         self.overlay.SetLayer(1)
         self.overlay.InteractiveOff()
         self.surface, self.curves, self.piece = BandedSurface(), CurveActor(), PieceActor()
-        self.shells, self.graph, self.xray = ShellActor(), GraphActors(), GraphActors()
+        self.shells, self.graph = ShellActor(), GraphActors()
         self.caption, self.legend = SkeletonCaption(), BandLegend()
-        inside = (self.surface.actor, self.curves.actor, self.piece.actor, self.shells.actor)
-        for actor in (*inside, *self.graph.actors):
-            renderer.AddActor(actor)
-        for actor in self.xray.actors:
+        for part in (self.surface, self.curves, self.piece, self.shells):
+            renderer.AddActor(part.actor)
+        for actor in self.graph.actors:
             self.overlay.AddActor(actor)
-            actor.GetProperty().SetOpacity(_XRAY)
         self.caption.add_to(renderer)
         self.legend.add_to(renderer)
+        self._frame = renderer.add_border()
         renderer.SetMaximumNumberOfPeels(_PEELS)
         renderer.SetOcclusionRatio(0.0)
 
@@ -57,11 +55,15 @@ class _Slot:
         if state == self._state:
             return False
         self._state = state
-        for part in (self.surface, self.curves, self.piece, self.shells, self.graph, self.xray):
+        for part in (self.surface, self.curves, self.piece, self.shells, self.graph):
             part.show(pane, look)
         self.caption.show(pane, look, size[1])
         self.legend.show(pane, look, self.surface.table)
         self.legend.place(*size, look.text_scale)
+        colour = look.theme.accent if look.selected else look.theme.faint
+        self._frame.SetVisibility(look.selected is not None)
+        self._frame.GetProperty().SetColor(pv.Color(colour).float_rgb)
+        self._frame.GetProperty().SetLineWidth((6 if look.selected else 2) * look.text_scale)
         return True
 
     def place(self, viewport: Viewport) -> None:
@@ -121,20 +123,15 @@ class SkeletonGrid:
         part = (size[0] / len(panes), float(size[1]))
         new = []
         for index, pane in enumerate(self._panes):
-            mark = replace(look, selected=index == look.selected and len(panes) > 1)
+            marked = index == look.selected and len(panes) > 1
+            mark = look if look.selected is None else replace(look, selected=int(marked))
             new.append(self._slots[index].show(pane, mark, part))
-            self._frame(self._slots[index].renderer, look, marked=bool(mark.selected))
         return new
 
     def draw_only(self, panes: Sequence[bool] | None) -> None:
         """Leave the pixels of other panes as they are in the next drawing; None draws all."""
         for slot, drawn in zip(self._slots, panes or [True] * len(self._slots), strict=False):
             slot.set_drawn(drawn)
-
-    @staticmethod
-    def _frame(renderer: pv.Renderer, look: SkeletonLook, *, marked: bool) -> None:
-        colour = look.theme.accent if marked else look.theme.faint
-        renderer.add_border(colour, (3 if marked else 1) * look.text_scale)
 
     def set_precise(self, precise: bool) -> None:
         """Blend translucent layers one by one, by depth peeling, or all at once by weights.

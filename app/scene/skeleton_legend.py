@@ -15,6 +15,7 @@ class BandLegend:
 
     def __init__(self) -> None:
         self._bar = vtkScalarBarActor()
+        self._bar.VisibilityOff()
         self._bar.SetOrientationToVertical()
         self._bar.SetLookupTable(pv.LookupTable())
         self._bar.SetNumberOfLabels(3)

@@ -55,7 +55,7 @@ class SkeletonLook:
     text_scale : float
         Size of text and lines; 1 on a plain screen.
     selected : int or None
-        Pane with a frame.
+        Pane with a heavy frame; None leaves out all frames.
     """
 
     settings: SkeletonSettings
@@ -68,7 +68,9 @@ def build_pane(
     skeleton: Skeleton, centre: FloatArray, step: int | None = None, picked: int | None = None
 ) -> SkeletonPane:
     """Build the pane of a graph with its text."""
-    note = node_text(skeleton, picked) if picked is not None else ""
+    if picked is not None and not grown_nodes(skeleton.graph, step)[picked]:
+        picked = None
+    note = genus_note(skeleton) if picked is None else node_text(skeleton, picked)
     title = view_title(skeleton.view)
     return SkeletonPane(title, counts_text(skeleton), note, centre, skeleton, step, picked)
 
@@ -110,18 +112,27 @@ def counts_text(skeleton: Skeleton) -> str:
     return f"{counts}   {graph.loops} loops / genus {genus}"
 
 
+def genus_note(skeleton: Skeleton) -> str:
+    """Why there is no genus, or nothing."""
+    reasons = (check.reason for check in skeleton.checks if check.genus is None)
+    reason = next(reasons, None)
+    return f"genus –: {reason}" if reason else ""
+
+
 def node_text(skeleton: Skeleton, node: int) -> str:
     """What is known of a node: band, area, size, position."""
     graph = skeleton.graph
-    x, y, z = graph.nodes[node]
+    # A millionth of the model is as good as nothing.
+    decimals = 6 - int(np.floor(np.log10(max(model_size(skeleton), 1e-300))))
+    place = ", ".join(f"{x:.4g}" for x in np.round(graph.nodes[node], decimals) + 0.0)
     if node == graph.root:
-        return f"root   at ({x:.4g}, {y:.4g}, {z:.4g})"
+        return f"root   at ({place})"
     faces, vertices = graph.member_faces(node), graph.member_vertices(node)
     share = graph.area[node] / max(float(graph.area.sum()), 1e-300)
     return (
         f"node {node}, {graph.kinds[node]}   band {graph.band[node] + 1} of {graph.resolution}   "
-        f"area {graph.area[node]:.4g} ({share:.1%})\n"
-        f"{len(faces):,} faces   {len(vertices):,} vertices   at ({x:.4g}, {y:.4g}, {z:.4g})"
+        f"area {graph.area[node]:.4g} ({share:.2%})\n"
+        f"{len(faces):,} faces   {len(vertices):,} vertices   at ({place})"
     )
 
 

@@ -12,8 +12,8 @@ from core.fields.centred import surface_vertices
 from core.mesh import TriangleMesh
 from core.mesh.primitives import sphere
 
-_MOST = 6
-_OPACITY = 0.1
+_MOST = 4
+_OPACITY = 0.06
 _FINENESS = 4
 
 

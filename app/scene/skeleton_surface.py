@@ -13,7 +13,7 @@ from core.mesh.geometry import shading_normals
 from core.skeleton import LevelCurves, cut_surface
 
 # Opaque: lines that let light through make the drawing several times slower.
-_CURVE_INK = 0.62
+_CURVE_INK = {False: 0.55, True: 0.34}
 
 
 class BandedSurface:
@@ -85,7 +85,9 @@ class CurveActor:
         if self._shown != (skeleton.curves, pane.step):
             self._shown = skeleton.curves, pane.step
             self._mapper.dataset = curve_data(skeleton.curves, pane.centre, pane.step)
-        self.actor.prop.color = blend(look.theme.ground_top, look.theme.ink, _CURVE_INK)
+        self.actor.prop.color = blend(
+            look.theme.ground_top, look.theme.ink, _CURVE_INK[look.theme.dark]
+        )
         self.actor.prop.line_width = look.text_scale
 
 

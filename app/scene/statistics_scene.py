@@ -22,6 +22,7 @@ SCENE_SHAPE = (1, 3)
 """Shape a plotter needs: two models and the colour bar."""
 
 _BAR_PIXELS = 84.0
+_RADIUS = 0.95
 _LIT_COLOUR = {False: "#e4007c", True: "#ffd23f"}
 _NOWHERE = Viewport(0.0, 0.0, 0.0, 0.0)
 
@@ -69,7 +70,7 @@ class StatisticsScene:
         self._bar = ColourBar()
         self._bar.add_to(self._bar_renderer)
         self._panes: list[ModelPane] = []
-        self._aspect = 1.0
+        self._narrowest = 1.0
         self.viewports: list[Viewport] = []
         camera = pv.Camera()
         for place, renderer in enumerate(self._renderers):
@@ -78,6 +79,8 @@ class StatisticsScene:
             self._captions[place].add_to(renderer)
             renderer.SetActiveCamera(camera)
             renderer.camera.is_set = True
+        for renderer in plotter.renderers:
+            renderer.SetDraw(False)
 
     def show(self, panes: Sequence[ModelPane], look: Look, size: tuple[int, int]) -> None:
         """Draw models in a window of `size` pixels."""
@@ -106,12 +109,7 @@ class StatisticsScene:
 
     def look_from(self, preset: str) -> None:
         """Show the whole models from a preset direction."""
-        sides = [port.right - port.left for port in self.viewports]
-        heights = [port.top - port.bottom for port in self.viewports]
-        aspects = [
-            self._aspect * wide / high for wide, high in zip(sides, heights, strict=True) if high
-        ]
-        pose = preset_pose(preset, 0.95, min(aspects, default=1.0))
+        pose = preset_pose(preset, _RADIUS, self._narrowest)
         pose.apply(self._renderers[0].GetActiveCamera())
         self.fit_clipping()
 
@@ -136,9 +134,9 @@ class StatisticsScene:
 
     def _arrange(self, look: Look, size: tuple[int, int]) -> None:
         width, height = max(size[0], 1), max(size[1], 1)
-        self._aspect = width / height
         bar = min(_BAR_PIXELS * look.text_scale / width, 0.4) if look.colour_title else 0.0
-        self.viewports = tile(len(self._panes), self._aspect, 1 - bar)
+        self.viewports = tile(len(self._panes), width / height, 1 - bar)
+        self._keep_fitting(width / height)
         places = [*self.viewports, *[_NOWHERE] * (CAPACITY - len(self.viewports))]
         bar_place = Viewport(1 - bar, 0.0, 1.0, 1.0) if bar else _NOWHERE
         every = zip((*self._renderers, self._bar_renderer), (*places, bar_place), strict=True)
@@ -147,11 +145,24 @@ class StatisticsScene:
             renderer.SetDraw(port != _NOWHERE)
         self._bar_renderer.InteractiveOff()
 
+    def _keep_fitting(self, aspect: float) -> None:
+        """Step back where the views have become narrower, closer where they are wider again."""
+        sides = [aspect * (p.right - p.left) / (p.top - p.bottom) for p in self.viewports]
+        narrowest = min(sides, default=1.0)
+        before, after = (_distance(side) for side in (self._narrowest, narrowest))
+        self._narrowest = narrowest
+        self._renderers[0].GetActiveCamera().Dolly(before / after)
+
     def _shared_cells(self, place: int, faces: IntArray) -> vtkCellArray:
         known = self._cells[place]
         if known is None or known[0] is not faces:
             known = self._cells[place] = faces, cell_array(faces)
         return known[1]
+
+
+def _distance(aspect: float) -> float:
+    """Distance from which a camera sees a model in a view of this width over height."""
+    return float(np.linalg.norm(preset_pose("Front (+Z)", _RADIUS, aspect).position))
 
 
 class _Lights:

@@ -3,13 +3,14 @@
 import numpy as np
 import pyvista as pv
 from numpy.typing import NDArray
-from vtkmodules.vtkCommonDataModel import vtkCellArray
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
 
+from app.scene.live_array import LiveArray
 from app.scene.panes import Look, Pane, Points
-from core.arrays import FloatArray, IntArray
+from core.arrays import IntArray
 from core.mesh.geometry import shading_normals
-
-_COLOUR_MAP = "viridis"
 
 
 def cell_array(faces: IntArray) -> vtkCellArray:
@@ -18,9 +19,9 @@ def cell_array(faces: IntArray) -> vtkCellArray:
     return polygons
 
 
-def lookup_table(colour_range: tuple[float, float]) -> pv.LookupTable:
+def lookup_table(colour_range: tuple[float, float], colour_map: str = "viridis") -> pv.LookupTable:
     """Colours of the values from the lower to the upper end of a range."""
-    table = pv.LookupTable(_COLOUR_MAP, n_values=256)
+    table = pv.LookupTable(colour_map, n_values=256)
     table.scalar_range = colour_range
     return table
 
@@ -33,11 +34,16 @@ class SurfaceActor:
     """
 
     def __init__(self) -> None:
-        self._mesh = pv.PolyData()
+        self._mesh = vtkPolyData()
         self._faces: IntArray | None = None
-        self._mapper = pv.DataSetMapper(self._mesh)
-        self._mapper.scalar_visibility = False
-        self.actor = pv.Actor(mapper=self._mapper)
+        self._points = LiveArray((0, 3), "points")
+        self._normals = LiveArray((0, 3), "normals")
+        self._values = LiveArray((0,), "error")
+        self._shown: tuple[Points | None, bool] = (None, False)
+        self._mapper = vtkPolyDataMapper()
+        self._mapper.ScalarVisibilityOff()
+        self.actor = pv.Actor()
+        self.actor.SetMapper(self._mapper)
         self.actor.prop.specular = 0.15
         self.actor.prop.specular_power = 20
         self.actor.prop.ambient = 0.12
@@ -45,37 +51,53 @@ class SurfaceActor:
     def show(self, pane: Pane, look: Look, cells: vtkCellArray, table: pv.LookupTable) -> None:
         """Draw a pane's mesh."""
         if self._faces is not look.faces:
-            self._mesh = pv.PolyData(pane.points.copy())
-            self._mesh.SetVerts(None)
-            self._mesh.SetPolys(cells)
-            self._mapper.dataset = self._mesh
+            self._begin(len(pane.points), cells)
             self._faces = look.faces
-        self._move(pane.points, look)
+        if self._shown[0] is not pane.points or self._shown[1] != look.smooth:
+            self._move(pane.points, look)
+            self._shown = (pane.points, look.smooth)
         self._colour(pane.values, look, table)
         self._style(look)
 
+    def _begin(self, count: int, cells: vtkCellArray) -> None:
+        """Start a mesh with other faces."""
+        self._points, self._normals = LiveArray((count, 3), "points"), LiveArray((count, 3), "n")
+        points = vtkPoints()
+        points.SetData(self._points.vtk)
+        self._mesh = vtkPolyData()
+        self._mesh.SetPoints(points)
+        self._mesh.SetPolys(cells)
+        self._mapper.SetInputData(self._mesh)
+        self._shown = (None, False)
+
     def _move(self, points: Points, look: Look) -> None:
-        self._mesh.points[:] = points
+        self._points.write(points)
         self._mesh.GetPoints().Modified()
+        data = self._mesh.GetPointData()
+        data.SetNormals(self._normals.vtk if look.smooth else None)
         if look.smooth:
-            normals: FloatArray = shading_normals(points.astype(np.float64), look.faces)
-            self._mesh.point_data.active_normals = normals.astype(np.float32)
+            self._normals.write(shading_normals(points.astype(np.float64), look.faces))
         self._mesh.Modified()
 
     def _colour(
         self, values: NDArray[np.float64] | None, look: Look, table: pv.LookupTable
     ) -> None:
-        coloured = values is not None and bool(look.colour_title)
-        self._mapper.scalar_visibility = coloured
-        if not coloured:
+        if values is None or not look.colour_title:
+            self._mapper.ScalarVisibilityOff()
             return
+        if self._values.rows != len(values):
+            self._values = LiveArray((len(values),), "error")
+        self._values.write(values)
         on_vertices = look.values_on == "vertex"
-        data = self._mesh.point_data if on_vertices else self._mesh.cell_data
-        data.set_array(np.asarray(values, np.float32), "error")
-        data.active_scalars_name = "error"
-        self._mapper.scalar_map_mode = "point" if on_vertices else "cell"
-        self._mapper.lookup_table = table
-        self._mapper.scalar_range = table.scalar_range
+        self._mesh.GetPointData().SetScalars(self._values.vtk if on_vertices else None)
+        self._mesh.GetCellData().SetScalars(None if on_vertices else self._values.vtk)
+        if on_vertices:
+            self._mapper.SetScalarModeToUsePointData()
+        else:
+            self._mapper.SetScalarModeToUseCellData()
+        self._mapper.SetLookupTable(table)
+        self._mapper.SetScalarRange(table.scalar_range)
+        self._mapper.ScalarVisibilityOn()
 
     def _style(self, look: Look) -> None:
         prop = self.actor.prop

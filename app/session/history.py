@@ -49,6 +49,10 @@ class History:
             self._past.append(Step(before, name))
             del self._past[:-_STEPS]
 
+    def seal(self) -> None:
+        """Let the next step be one of its own, so that undo comes back to this very study."""
+        self._last = 0.0
+
     def undo(self, current: Study) -> Study:
         """Take back one step and return the study before it."""
         return self._move(self._past, self._future, current)
@@ -62,5 +66,5 @@ class History:
             return current
         step = source.pop()
         target.append(Step(current, step.name))
-        self._last = 0.0
+        self.seal()
         return step.study

@@ -7,8 +7,10 @@ from core.comparison import Comparison, matched, read_model
 from core.io import LoadedMesh
 from core.noise import add_noise
 from core.study import SAMPLE_PREFIX, Study
+from core.study_files import Fingerprint, fingerprint
 
 _KEPT = 4
+_KEPT_PAIRS = 6
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,35 +27,53 @@ class Meshes:
         What loading changed.
     comparison : Comparison
         The original and the noisy mesh.
+    fingerprints : dict of str to Fingerprint
+        What each file was when it was read.
     """
 
     key: str
     name: str
     report: tuple[str, ...]
     comparison: Comparison
+    fingerprints: dict[str, Fingerprint]
 
 
 class MeshReader:
-    """Reads meshes and keeps the last few files, with the topology they share."""
+    """Reads meshes and keeps the last few, with the topology they share."""
 
     def __init__(self) -> None:
-        self._files: dict[tuple[str, int], LoadedMesh] = {}
+        self._files: dict[tuple[str, int], tuple[LoadedMesh, Fingerprint]] = {}
+        self._meshes: dict[str, Meshes] = {}
+
+    def known(self, study: Study) -> Meshes | None:
+        """Return the meshes of a study where they are still there."""
+        return self._meshes.get(mesh_key(study))
 
     def read(self, study: Study) -> Meshes:
         """Read the meshes of a study and prepare what every method needs."""
-        original = self._file(study.model)
+        meshes = self._read(study)
+        self._meshes[meshes.key] = meshes
+        while len(self._meshes) > _KEPT_PAIRS:
+            self._meshes.pop(next(iter(self._meshes)))
+        return meshes
+
+    def _read(self, study: Study) -> Meshes:
+        key = mesh_key(study)
+        original, mark = self._file(study.model)
+        marks = {study.model: mark}
         if study.noisy is None:
             noisy = add_noise(original.mesh, study.noise.sigma, study.noise.seed)
         else:
-            noisy = matched(original.mesh, self._file(study.noisy))
+            scan, marks[study.noisy] = self._file(study.noisy)
+            noisy = matched(original.mesh, scan)
         comparison = Comparison(original.mesh, noisy, study.model_units)
         _ = comparison.noisy_errors  # prepares the metrics here, beside the window
-        return Meshes(mesh_key(study), original.name, original.report, comparison)
+        return Meshes(key, original.name, original.report, comparison, marks)
 
-    def _file(self, model: str) -> LoadedMesh:
+    def _file(self, model: str) -> tuple[LoadedMesh, Fingerprint]:
         key = (model, _changed_at(model))
         if key not in self._files:
-            self._files[key] = read_model(model)
+            self._files[key] = read_model(model), fingerprint(model)
         while len(self._files) > _KEPT:
             self._files.pop(next(iter(self._files)))
         return self._files[key]

@@ -1,7 +1,7 @@
 """Results of smoothing runs, kept under what they were computed from."""
 
 from collections import OrderedDict
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -122,7 +122,7 @@ class RunStore:
     Parameters
     ----------
     budget : int
-        Memory for snapshots in bytes; the run in use is kept whatever it takes.
+        Memory for snapshots in bytes; runs in use are kept whatever they take.
     """
 
     def __init__(self, budget: int) -> None:
@@ -143,14 +143,18 @@ class RunStore:
         self._entries.move_to_end(key)
         return self._entries[key]
 
-    def put(self, key: RunKey, run: Run) -> None:
-        """Replace a run by a longer one; drop the oldest runs while memory is short."""
+    def put(self, key: RunKey, run: Run, in_use: Collection[RunKey]) -> None:
+        """Replace a run by a longer one; drop the oldest that are not in use for lack of memory."""
         if key not in self._entries:
             return
         self._entries[key] = run, self._entries[key][1]
         self._entries.move_to_end(key)
-        while len(self._entries) > 1 and self._bytes() > self.budget:
-            self._entries.popitem(last=False)
+        self.trim({key, *in_use})
 
-    def _bytes(self) -> int:
-        return sum(run.bytes for run, _ in self._entries.values())
+    def trim(self, in_use: Collection[RunKey]) -> None:
+        """Drop the least recently used runs that are not in use until the rest fits the budget."""
+        total = sum(run.bytes for run, _ in self._entries.values())
+        for key in [key for key in self._entries if key not in in_use]:
+            if total <= self.budget:
+                return
+            total -= self._entries.pop(key)[0].bytes

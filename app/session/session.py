@@ -14,6 +14,7 @@ from core.smoothing import METHODS, DivergenceError
 from core.study import MethodChoice, Study
 
 _BUDGET = 4 * 1024**3
+_EXPECTED = (ValueError, OSError, MemoryError)
 
 
 @dataclass(frozen=True)
@@ -48,6 +49,8 @@ class Session:
     """What is being computed has changed."""
     failed = Signal(str)
     """Something could not be done: one sentence for the user."""
+    broken = Signal(Exception)
+    """Something went wrong that should not: a fault of the program."""
     notified = Signal(str)
     """Something worth a line in the status bar."""
 
@@ -95,6 +98,11 @@ class Session:
             job.cancel()
         self.apply(study, "Cancel")
 
+    def set_budget(self, budget: int) -> None:
+        """Set the memory for snapshots in bytes; what no longer fits goes at once."""
+        self._store.budget = budget
+        self._store.trim(self._wanted())
+
     def close(self) -> None:
         """Stop all work for good."""
         self.jobs.close()
@@ -125,7 +133,11 @@ class Session:
 
     def _travel(self, study: Study, go_back: Callable[[Study], Study]) -> None:
         """Go to a study of the history; if its meshes cannot be had, the history goes back."""
-        if self._needs_meshes(study):
+        known = self._reader.known(study)
+        if self._needs_meshes(study) and known:
+            self._stop_loading()
+            self._adopt(study, None, known)
+        elif self._needs_meshes(study):
             self._load(study, None, on_failure=lambda: go_back(study))
         elif study != self.study:
             self._replace(study)
@@ -135,12 +147,15 @@ class Session:
         self._run_missing()
         self.study_changed.emit(study, before)
 
+    def _stop_loading(self) -> None:
+        if self._loading:
+            self._loading.cancel()
+
     def _load(
         self, study: Study, name: str | None, on_failure: Callable[[], object] = lambda: None
     ) -> None:
         """Read the meshes of a study; with a name it becomes an undoable step."""
-        if self._loading:
-            self._loading.cancel()
+        self._stop_loading()
         before = self.study
 
         def read() -> Iterator[Meshes]:
@@ -207,7 +222,7 @@ class Session:
         def extend(step: Snapshot | DivergenceError) -> None:
             known = self._store.get(key)
             if known:
-                self._store.put(key, known.extended(step))
+                self._store.put(key, known.extended(step), self._wanted())
                 self.run_changed.emit(choice.method)
                 self.activity_changed.emit()
 
@@ -221,14 +236,20 @@ class Session:
         self.jobs.start(job)
 
     def _report(self, error: Exception) -> None:
-        self.failed.emit(str(error) or type(error).__name__)
+        if isinstance(error, _EXPECTED):
+            self.failed.emit(str(error) or type(error).__name__)
+        else:
+            self.broken.emit(error)
 
 
 def _carried_over(wanted: Study, before: Study, now: Study) -> Study:
     """Return the study that was loaded, with what a person changed while it was loading."""
-    if now is before:
-        return wanted
-    return now.model_copy(update=_sources(wanted))
+    changed = {
+        name: getattr(now, name)
+        for name in Study.model_fields
+        if getattr(now, name) != getattr(before, name)
+    }
+    return wanted.model_copy(update={**changed, **_sources(wanted)})
 
 
 def _sources(study: Study) -> dict[str, object]:

@@ -7,6 +7,8 @@ import qtawesome
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QMainWindow, QMenu
 
+from app.scene.camera import PRESETS
+
 
 @dataclass(frozen=True)
 class Command:
@@ -43,24 +45,37 @@ class Command:
 
 
 COMMANDS = (
-    Command("open", "File", "&Open…", "Open a model to compare the methods on", "Ctrl+O",
-            "mdi6.folder-open-outline"),
+    Command("open", "File", "&Open…", "Open a model to compare the methods on, or a study",
+            "Ctrl+O", "mdi6.folder-open-outline"),
+    Command("open_study", "File", "Open St&udy…", "Open a study that was saved", "Ctrl+Alt+O"),
     Command("open_noisy", "File", "Separate &Noisy File…",
             "Use a noisy file of the same model instead of adding noise", "Ctrl+Shift+O"),
-    Command("save_mesh", "File", "&Save Denoised Mesh…",
-            "Save the mesh of the selected pane as PLY, OBJ, OFF or STL", "Ctrl+S", divided=True),
-    Command("save_plot", "File", "Export &Plot…", "Save the error plot as SVG, PDF or PNG",
-            "Ctrl+E"),
-    Command("save_table", "File", "Export &Table…", "Save the table as CSV, Markdown or LaTeX",
+    Command("save_study", "File", "&Save Study", "Save the study: models, noise, methods, views",
+            "Ctrl+S", "mdi6.content-save-outline", divided=True),
+    Command("save_study_as", "File", "Save Study &As…", "Save the study under another name",
+            "Ctrl+Shift+S"),
+    Command("save_packed", "File", "Save Study Pac&ked…",
+            "Save the study with its models inside, to give it away"),
+    Command("save_mesh", "File/E&xport", "Denoised &Mesh…",
+            "Save the mesh of the selected pane as PLY, OBJ, OFF or STL", "Ctrl+M"),
+    Command("figure", "File/E&xport", "&Figure…",
+            "Arrange panes with captions as PNG, PDF or TIFF, in centimetres", "Ctrl+Shift+F"),
+    Command("screenshot", "File/E&xport", "&Screenshot…",
+            "Save a pane, the grid or the window as PNG", "Ctrl+P", "mdi6.camera-outline"),
+    Command("save_plot", "File/E&xport", "Error &Plot…", "Save the error plot as SVG, PDF or PNG",
+            "Ctrl+E", divided=True),
+    Command("save_table", "File/E&xport", "&Table…", "Save the table as CSV, Markdown or LaTeX",
             "Ctrl+Shift+E"),
-    Command("screenshot", "File", "S&creenshot…", "Save a pane, the grid or the window as PNG",
-            "Ctrl+P", "mdi6.camera-outline"),
     Command("quit", "File", "&Quit", "Close Burnish", "Ctrl+Q", divided=True),
     Command("undo", "Edit", "&Undo", "Take back the last step", "Ctrl+Z", "mdi6.undo"),
     Command("redo", "Edit", "&Redo", "Do the step again that was taken back", "Ctrl+Shift+Z",
             "mdi6.redo"),
     Command("copy_table", "Edit", "&Copy Table", "Copy the table as text", "Ctrl+Shift+C",
             divided=True),
+    Command("copy_camera", "Edit", "Copy C&amera", "Copy where the camera stands, as text",
+            "Ctrl+Alt+C"),
+    Command("paste_camera", "Edit", "Paste Ca&mera", "Put the camera where a copied text says",
+            "Ctrl+Alt+V"),
     Command("smooth_shading", "View", "&Smooth Shading", "Smooth shading; off shows flat faces",
             "S", checkable=True),
     Command("edges", "View", "&Edges", "Draw the edges of the triangles", "W", checkable=True),
@@ -72,11 +87,29 @@ COMMANDS = (
     Command("box_zoom", "View", "&Box Zoom", "Drag a rectangle to zoom into", "B",
             "mdi6.magnify-scan", checkable=True),
     Command("fly", "View", "&Fly to Cursor", "Fly to the point under the cursor", "F"),
+    *(Command(f"look_{key}", "View/Look F&rom", name, f"Show the whole model: {name}", str(key))
+      for key, name in enumerate(PRESETS, start=1)),
+    Command("save_camera", "View/&Cameras", "&Save Camera…", "Save the camera under a name",
+            "Ctrl+Alt+S"),
+    Command("flicker", "View/Co&mpare Panes", "&Flicker (Hold the Key)",
+            "While held, the selected pane shows the mesh it is compared with", "X"),
+    Command("swipe", "View/Co&mpare Panes", "&Swipe Line",
+            "Part one pane by a line to drag: left the one, right the other", "D",
+            checkable=True),
+    Command("difference", "View", "&Distance to the Original",
+            "Heat map of each vertex' distance to where it was in the original", "H",
+            checkable=True, divided=True),
+    Command("colour_bar", "View", "Colour &Bar…",
+            "Range, colours, direction and histogram of the heat map", "C"),
     Command("advance", "Run", "Five &More Iterations", "Run every checked method five steps on",
             "Ctrl+R", "mdi6.play-outline"),
     Command("cancel", "Run", "&Cancel", "Stop what is being computed", "Esc",
             "mdi6.stop-circle-outline"),
-    Command("methods", "Help", "&Methods and Metrics", "Formulas, parameters and sources", "F1"),
+    Command("palette", "Help", "&Find a Command…", "Search all commands by name and run one",
+            "Ctrl+Shift+P"),
+    Command("shortcuts", "Help", "&Keyboard Shortcuts", "All keys and mouse gestures", "?"),
+    Command("methods", "Help", "&Reference", "Formulas, parameters and sources", "F1",
+            divided=True),
     Command("errata", "Help", "Where the &Printed Thesis Fails",
             "What Burnish does differently, and why"),
     Command("about", "Help", "&About Burnish", "Versions, for a bug report", divided=True),
@@ -104,16 +137,31 @@ class ActionBook:
         self._actions = {
             command.id: self._make(command, handlers[command.id]) for command in COMMANDS
         }
+        for command in COMMANDS:
+            self.set_key(command.id, QKeySequence(command.key))
 
     def __getitem__(self, command: str) -> QAction:
         """Return the action of a command."""
         return self._actions[command]
 
     def menu(self, name: str) -> QMenu:
-        """Return a menu of the menu bar, made where it is not there yet."""
+        """Return a menu, made where it is not there yet; a submenu stands after a slash."""
         if name not in self._menus:
-            self._menus[name] = self._window.menuBar().addMenu(f"&{name}")
+            above, _, own = name.rpartition("/")
+            parent = self.menu(above) if above else self._window.menuBar()
+            self._menus[name] = parent.addMenu(own if above else f"&{own}")
         return self._menus[name]
+
+    def key(self, command: str) -> QKeySequence:
+        """Return the key of a command."""
+        return self[command].shortcut()
+
+    def set_key(self, command: str, key: QKeySequence) -> None:
+        """Give a command a key, and tell it in the tooltip."""
+        action = self[command]
+        action.setShortcut(key)
+        shown = key.toString(QKeySequence.SequenceFormat.NativeText)
+        action.setToolTip(action.statusTip() + (f" ({shown})" if shown else ""))
 
     def set_icons(self, colour: str) -> None:
         """Draw the icons in the colour of the text."""
@@ -124,9 +172,6 @@ class ActionBook:
     def _make(self, command: Command, handler: Callable[..., None]) -> QAction:
         action = QAction(command.text, self._window, checkable=command.checkable)
         action.setObjectName(command.id)
-        action.setShortcut(QKeySequence(command.key))
-        key = f" ({action.shortcut().toString()})" if command.key else ""
-        action.setToolTip(command.tip + key)
         action.setStatusTip(command.tip)
         if command.checkable:
             action.toggled.connect(handler)
@@ -137,3 +182,8 @@ class ActionBook:
             menu.addSeparator()
         menu.addAction(action)
         return action
+
+
+def escaped(text: str) -> str:
+    """Return a text as a menu shows it, an ampersand as itself."""
+    return text.replace("&", "&&")

@@ -19,5 +19,6 @@ def start(model: str) -> int:
 
     window = MainWindow()
     window.show()
-    window.open_model(model)
+    window.files.open(model)
+    window.files.offer_leftovers()
     return application.exec()

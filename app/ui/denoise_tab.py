@@ -7,6 +7,7 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QWidget
 
 from app.scene.colours import Theme
+from app.scene.comparing import pair, swapped
 from app.scene.comparison import ComparisonScene
 from app.scene.panes import Look, Pane
 from app.session import Session
@@ -42,6 +43,7 @@ class DenoiseTab(QMainWindow):
         super().__init__()
         self.session = session
         self.selected: str | None = None
+        self.flicker: tuple[str, str] | None = None
         self._theme = theme
         self._scene = ComparisonScene(session)
         self._fresh_model = True
@@ -57,6 +59,15 @@ class DenoiseTab(QMainWindow):
         panes = self._scene.panes()
         scale = self.devicePixelRatioF()
         return panes, self._scene.look(panes, self._theme, self.selected, scale)
+
+    def set_flicker(self, on: bool) -> None:
+        """Show another pane's mesh in the selected pane, or its own again."""
+        grid = self.viewport.grid
+        chosen = grid.enlarged or self.selected
+        before, other = self.flicker, self.session.study.view.compare_with
+        self.flicker = pair(grid.ids, chosen, other) if on else None
+        if self.flicker != before:
+            self._redraw()
 
     @property
     def is_drawn(self) -> bool:
@@ -153,6 +164,8 @@ class DenoiseTab(QMainWindow):
         panes, look = self.panes()
         if not panes:
             return
+        if self.flicker:
+            panes = swapped(panes, *self.flicker)
         self.viewport.show_panes(panes, look)
         self.viewport.set_linked(self.session.study.view.linked, self.selected)
         if self._fresh_model:

@@ -17,9 +17,11 @@ def model_filter() -> str:
     return f"Models ({patterns});;All files (*)"
 
 
-def ask_for_file(parent: QWidget, title: str, use: Callable[[Path], None]) -> QFileDialog:
-    """Ask for a model to open and hand it on."""
-    dialog = QFileDialog(parent, title, _last_folder(), model_filter())
+def ask_for_file(
+    parent: QWidget, title: str, use: Callable[[Path], None], filters: str = ""
+) -> QFileDialog:
+    """Ask for a file to open, a model unless `filters` say otherwise, and hand it on."""
+    dialog = QFileDialog(parent, title, _last_folder(), filters or model_filter())
     dialog.setFileMode(QFileDialog.FileMode.ExistingFile)
     return _open(dialog, use)
 

@@ -33,17 +33,22 @@ def show_errata(parent: QWidget) -> QDialog:
 
 def show_about(parent: QWidget) -> QMessageBox:
     """Show the versions, with a button that copies them."""
-    versions = "\n".join(f"{package} {_version(package)}" for package in _PACKAGES)
     box = QMessageBox(parent)
     box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     box.setWindowTitle("About Burnish")
     box.setText("Burnish compares mesh denoisers and draws the skeleton of a shape.")
-    box.setInformativeText(versions)
+    text = versions()
+    box.setInformativeText(text)
     copy = box.addButton("Copy versions", QMessageBox.ButtonRole.ActionRole)
-    copy.clicked.connect(lambda: QApplication.clipboard().setText(versions))
+    copy.clicked.connect(lambda: QApplication.clipboard().setText(text))
     box.addButton(QMessageBox.StandardButton.Close)
     box.open()
     return box
+
+
+def versions() -> str:
+    """Return the versions of all that matters, one a line."""
+    return "\n".join(f"{package} {_version(package)}" for package in _PACKAGES)
 
 
 def _version(package: str) -> str:

@@ -14,20 +14,23 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QMainWindow, QMenu, QTabWidget, QToolButton
 
-from app.scene.camera import PRESETS
 from app.session import Session
 from app.ui import dialogs, saving
-from app.ui.actions import TOOLBAR, ActionBook
+from app.ui.actions import TOOLBAR, ActionBook, escaped
 from app.ui.denoise_tab import DenoiseTab
 from app.ui.help import show_about, show_errata, show_methods
+from app.ui.skeleton_export import ask_for_picture
 from app.ui.skeleton_tab import SkeletonTab
 from app.ui.statistics_tab import StatisticsTab
 from app.ui.status import StatusBar
+from app.ui.study_files import StudyFiles, dropped_file
 from app.ui.tasks import Poster
 from app.ui.theme import current_theme, set_mode
-from core.io import SUPPORTED_READ, bundled_samples
+from app.ui.view_commands import ViewCommands
+from core.io import bundled_samples
 from core.metrics import METRICS
 from core.study import MOST_ITERATIONS, SAMPLE_PREFIX, Study
+from core.view import ViewSettings
 
 _MORE = 5
 _GEOMETRY = "window_geometry"
@@ -50,21 +53,26 @@ class MainWindow(QMainWindow):
         self.statistics = StatisticsTab(self.session, current_theme())
         self.tabs.addTab(self.statistics, "Statistics")
         self.setCentralWidget(self.tabs)
+        self.files = StudyFiles(self)
+        self.view_commands = ViewCommands(self)
         self.actions_ = ActionBook(self, self._handlers())
         self._fill_menus()
         self._make_toolbar()
         self.setStatusBar(StatusBar(self.session, self.actions_["cancel"]))
+        self.view_commands.attach(self.actions_)
         self._connect()
         self._restore()
         self._update_actions()
 
     def open_model(self, model: str) -> None:
         """Open a model by its path or, as ``sample:ID``, a bundled one."""
-        name = model.removeprefix(SAMPLE_PREFIX)
-        study = self.session.study.model_copy(update={"model": model, "noisy": None})
-        self.session.apply(study, f"Open {Path(name).name}")
+        self.files.open(model)
 
     def closeEvent(self, event: QCloseEvent) -> None:
+        if not self.files.may_close():
+            event.ignore()
+            return
+        self.files.close()
         QSettings().setValue(_GEOMETRY, self.saveGeometry())
         self.denoise.save_layout()
         self.skeleton.save_layout()
@@ -76,13 +84,13 @@ class MainWindow(QMainWindow):
         super().closeEvent(event)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        if any(_is_model(url.toLocalFile()) for url in event.mimeData().urls()):
+        if dropped_file(event.mimeData()):
             event.acceptProposedAction()
 
     def dropEvent(self, event: QDropEvent) -> None:
-        names = [url.toLocalFile() for url in event.mimeData().urls()]
-        self.open_model(next(name for name in names if _is_model(name)))
-        event.acceptProposedAction()
+        if name := dropped_file(event.mimeData()):
+            self.files.open(name)
+            event.acceptProposedAction()
 
     def changeEvent(self, event: object) -> None:
         super().changeEvent(event)
@@ -92,14 +100,13 @@ class MainWindow(QMainWindow):
     def _handlers(self) -> dict[str, object]:
         viewport, session = self.denoise.viewport, self.session
         return {
-            "open": lambda: dialogs.ask_for_file(
-                self, "Open a model", lambda path: self.open_model(str(path))
-            ),
+            **self.files.handlers(),
+            **self.view_commands.handlers(),
             "open_noisy": self._ask_for_noisy,
             "save_mesh": lambda: saving.ask_for_mesh(self),
             "save_plot": lambda: saving.ask_for_plot(self),
             "save_table": lambda: saving.ask_for_table(self),
-            "screenshot": lambda: saving.ask_for_screenshot(self),
+            "screenshot": self._ask_for_screenshot,
             "quit": self.close,
             "undo": session.undo,
             "redo": session.redo,
@@ -108,7 +115,7 @@ class MainWindow(QMainWindow):
             "edges": partial(self._set_view, "edges", "Edges"),
             "link": partial(self._set_view, "linked", "Link cameras"),
             "enlarge": lambda: viewport.toggle_enlarged(self.denoise.selected or "noisy"),
-            "reset_view": lambda: viewport.look_from("Oblique"),
+            "reset_view": lambda: self.view_commands.cameras.look_from("Oblique"),
             "box_zoom": viewport.start_box_zoom,
             "fly": viewport.fly_to_cursor,
             "advance": self._advance,
@@ -121,7 +128,8 @@ class MainWindow(QMainWindow):
     def _connect(self) -> None:
         session = self.session
         session.study_changed.connect(lambda *_: self._update_actions())
-        session.meshes_changed.connect(self._update_title)
+        self.files.documents.changed.connect(self._update_title)
+        session.study_changed.connect(lambda *_: self._update_title())
         session.activity_changed.connect(self._update_actions)
         session.failed.connect(lambda message: dialogs.tell(self, message))
         self.denoise.viewport.box_zoom_ended.connect(
@@ -143,19 +151,10 @@ class MainWindow(QMainWindow):
         view.addSeparator()
         self._colours = self._choices("&Colour by", self._colour_names(), self._set_colour)
         view.addMenu(self._colours)
-        presets = QMenu("Look &From", self)
-        for number, name in enumerate(PRESETS):
-            action = presets.addAction(name)
-            action.setShortcut(str(number + 1))
-            action.triggered.connect(lambda *_, name=name: self.denoise.viewport.look_from(name))
-        view.addMenu(presets)
         view.addSeparator()
         modes = {mode: mode.capitalize() for mode in ("system", "light", "dark")}
         self._themes = self._choices("&Theme", modes, self._set_mode)
         view.addMenu(self._themes)
-        panels = view.addMenu("P&anels")
-        for dock in self.denoise.docks:
-            panels.addAction(dock.toggleViewAction())
 
     def _choices(self, title: str, names: dict[str, str], use: object) -> QMenu:
         """Make a menu of which one entry is checked; each entry's data is its key."""
@@ -188,17 +187,25 @@ class MainWindow(QMainWindow):
 
     # -- changes
 
+    def change_view(self, step: str, view: ViewSettings) -> None:
+        """Look at the meshes in another way, as an undoable step."""
+        self.session.apply(self.session.study.model_copy(update={"view": view}), step)
+
     def _set_view(self, name: str, step: str, value: object) -> None:
-        study = self.session.study
-        view = study.view.model_copy(update={name: value})
-        self.session.apply(study.model_copy(update={"view": view}), step)
+        self.change_view(step, self.session.study.view.model_copy(update={name: value}))
 
     def _set_colour(self, metric: str, *_: object) -> None:
         self._set_view("colour", "Colour by", metric)
 
     @staticmethod
     def _colour_names() -> dict[str, str]:
-        return {"none": "Nothing", **{id_: spec.title for id_, spec in METRICS.items()}}
+        return {"none": "Nothing", **{id_: spec.heat_title for id_, spec in METRICS.items()}}
+
+    def _ask_for_screenshot(self) -> None:
+        if self.tabs.currentWidget() is self.skeleton:
+            ask_for_picture(self.skeleton)
+        else:
+            saving.ask_for_screenshot(self)
 
     def _ask_for_noisy(self) -> None:
         def use(path: Path) -> None:
@@ -234,16 +241,24 @@ class MainWindow(QMainWindow):
             ("redo", "Redo", history.redo_name),
         ):
             book[command].setEnabled(name is not None)
-            book[command].setText(f"&{word} {name}" if name else f"&{word}")
+            book[command].setText(f"&{word} {escaped(name)}" if name else f"&{word}")
         book["cancel"].setEnabled(session.activity is not None)
-        for command in ("save_mesh", "save_plot", "save_table", "screenshot", "advance"):
+        for command in (
+            "save_study",
+            "save_study_as",
+            "save_packed",
+            "save_mesh",
+            "save_plot",
+            "save_table",
+            "screenshot",
+            "advance",
+        ):
             book[command].setEnabled(session.meshes is not None)
         for action in self._colours.actions():
             action.setChecked(action.data() == view.colour)
 
     def _update_title(self) -> None:
-        name = self.session.meshes.name if self.session.meshes else ""
-        self.setWindowTitle(f"{name} – Burnish" if name else "Burnish")
+        self.setWindowTitle(self.files.title)
 
     def _set_mode(self, mode: str, *_: object) -> None:
         QSettings().setValue(_MODE, mode)
@@ -264,7 +279,3 @@ class MainWindow(QMainWindow):
         if geometry is None or not self.restoreGeometry(geometry):
             available = QGuiApplication.primaryScreen().availableSize()
             self.resize(available.boundedTo(self.sizeHint().expandedTo(available * 0.9)))
-
-
-def _is_model(name: str) -> bool:
-    return Path(name).suffix.lower() in SUPPORTED_READ

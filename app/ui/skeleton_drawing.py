@@ -10,8 +10,8 @@ from app.scene.skeleton_layout import flat_places
 from app.scene.skeleton_panes import SkeletonLook, SkeletonPane, grown_nodes, node_text
 from app.session.skeleton_maker import Skeleton
 
-_MARGIN_X, _TOP, _BOTTOM = 16.0, 10.0, 18.0
-_LARGEST, _SMALLEST = 5.5, 2.0
+_MARGIN_X, _TOP, _SCALE, _BOTTOM = 16.0, 10.0, 18.0, 26.0
+_LARGEST, _SMALLEST = 5.5, 3.6
 _REACH = 9.0
 
 
@@ -94,7 +94,7 @@ class FlatDrawing(QWidget):
 
     def _paint_scale(self, painter: QPainter, skeleton: Skeleton) -> None:
         painter.setPen(self.palette().placeholderText().color())
-        room = QRectF(_MARGIN_X, self.height() - _BOTTOM, self.width() - 2 * _MARGIN_X, _BOTTOM)
+        room = QRectF(_MARGIN_X, self.height() - _SCALE, self.width() - 2 * _MARGIN_X, _SCALE)
         flags = Qt.AlignmentFlag
         first = "root" if skeleton.graph.root is not None else "band 1"
         painter.drawText(room, flags.AlignLeft | flags.AlignVCenter, first)
@@ -121,8 +121,10 @@ class FlatDrawing(QWidget):
             painter.drawEllipse(QPointF(*places[self._pane.picked]), radius + 3, radius + 3)
 
     def _radius(self, skeleton: Skeleton) -> float:
-        """Radius at which neighbours in a row do not touch."""
-        room = (self.width() - 2 * _MARGIN_X) / max(skeleton.view.resolution, 1)
+        """Radius at which neighbours do not touch, as far as they can be seen then."""
+        across = (self.width() - 2 * _MARGIN_X) / max(skeleton.view.resolution, 1)
+        rows = 1 + float(self._flat[:, 1].max(initial=0))
+        room = min(across, 1.2 * (self.height() - _TOP - _BOTTOM) / rows)
         return float(np.clip(0.4 * room, _SMALLEST, _LARGEST))
 
 

@@ -6,7 +6,6 @@ from PySide6.QtWidgets import (
     QFrame,
     QLabel,
     QScrollArea,
-    QStackedWidget,
     QTabBar,
     QVBoxLayout,
     QWidget,
@@ -37,11 +36,9 @@ class SkeletonSide(QScrollArea):
         self.compare = QCheckBox("Compare two views")
         self.tabs = QTabBar(expanding=True, drawBase=False)
         self.panels = [ViewPanel(session, view) for view in range(VIEW_COUNT)]
-        self.stack = QStackedWidget()
         self.layers, self.facts = LayersPanel(session), FactsPanel()
-        for panel in self.panels:
+        for _ in self.panels:
             self.tabs.addTab("")
-            self.stack.addWidget(panel)
         self._lay_out()
         self.tabs.currentChanged.connect(self.selected)
         self.compare.toggled.connect(
@@ -55,7 +52,8 @@ class SkeletonSide(QScrollArea):
         """Show the settings of a view."""
         with QSignalBlocker(self.tabs):
             self.tabs.setCurrentIndex(view)
-        self.stack.setCurrentIndex(view)
+        for index, panel in enumerate(self.panels):
+            panel.setVisible(index == view)
 
     def minimumSizeHint(self) -> QSize:
         bar = self.verticalScrollBar().sizeHint().width()
@@ -67,7 +65,8 @@ class SkeletonSide(QScrollArea):
         layout.setContentsMargins(10, 6, 10, 10)
         layout.addWidget(self.compare)
         layout.addWidget(self.tabs)
-        layout.addWidget(self.stack)
+        for panel in self.panels:
+            layout.addWidget(panel)
         layout.addWidget(_heading("Drawn in both views"))
         layout.addWidget(self.layers)
         layout.addWidget(_heading("Loops and genus"))

@@ -6,6 +6,7 @@ from PySide6.QtCore import QEvent, QPoint, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
+from app.scene.camera import CameraPose
 from app.scene.skeleton_grid import SHAPE, SkeletonGrid
 from app.scene.skeleton_panes import SkeletonLook, SkeletonPane
 from app.ui.interactor import Interactor
@@ -62,6 +63,17 @@ class SkeletonViewport(QWidget):
         """Show the whole model from a preset direction."""
         self._move()
         self.grid.look_from(preset, self.pixel_size())
+        self.interactor.update()
+
+    @property
+    def pose(self) -> CameraPose:
+        """Where the camera stands."""
+        return self.grid.pose
+
+    def set_pose(self, pose: CameraPose) -> None:
+        """Put the camera into a pose."""
+        self._hurry()
+        self.grid.set_pose(pose)
         self.interactor.update()
 
     def close_interactor(self) -> None:

@@ -27,6 +27,7 @@ class MatrixCell(Cell):
         self.choice.setCurrentIndex(self.choice.findData("laplacian"))
         self.choice.currentIndexChanged.connect(self._draw)
         self.head.insertWidget(1, self.choice)
+        self.head.insertSpacing(1, 10)
         self.save.setToolTip("Save the picture, or the matrix as Matrix Market or NPZ")
         self.copy.hide()
         self._mesh: TriangleMesh | None = None
@@ -53,5 +54,5 @@ class MatrixCell(Cell):
             return
         matrix = MATRICES[self.choice.currentData()](self._mesh)
         draw_matrix(self.canvas.figure, matrix, self._theme)
-        self.words.setText(matrix_words(matrix))
+        self._say(matrix_words(matrix))
         self.canvas.draw_idle()

@@ -36,7 +36,7 @@ class Cell(QWidget):
         self.canvas.installEventFilter(self)
         self.words = FaintLabel()
         self.words.setAlignment(Qt.AlignmentFlag.AlignTop)
-        self.words.setMinimumHeight(_LINES * self.words.fontMetrics().lineSpacing())
+        self.words.setFixedHeight(_LINES * self.words.fontMetrics().lineSpacing() + 2)
         self.enlarge = IconButton("mdi6.arrow-expand", "Enlarge the plot, or bring all back")
         self.save = IconButton("mdi6.content-save-outline", "Save the plot as SVG, PDF or PNG")
         self.copy = IconButton("mdi6.content-copy", "Copy the numbers")
@@ -75,6 +75,10 @@ class Cell(QWidget):
         row.addWidget(self.words)
         layout.addLayout(row)
 
+    def _say(self, text: str) -> None:
+        self.words.setText(text)
+        self.words.setToolTip(text)
+
 
 class StatisticsPlot(Cell):
     """Shows a plot of one model or two; what the pointer is over is marked, drawn without delay."""
@@ -92,20 +96,23 @@ class StatisticsPlot(Cell):
         self._redraw_soon = Coalesced(self._redraw, _REDRAW_MS, self)
         self.canvas.mpl_connect("draw_event", self._on_draw)
         self.canvas.mpl_connect("motion_notify_event", self._on_motion)
-        self.canvas.mpl_connect("axes_leave_event", lambda _: self.pointed.emit(None))
-        self.canvas.mpl_connect("figure_leave_event", lambda _: self.pointed.emit(None))
 
     def show_series(self, series: Sequence[Series], theme: Theme) -> None:
         """Draw models in a theme's colours."""
         same = theme is self._theme and self._shown(self.series) == self._shown(series)
         self.series, self._theme = list(series), theme
         if not same or self._axes is None:
-            self.words.setText(plot_words(self.id, self.series))
+            self._say(plot_words(self.id, self.series))
             self._redraw_soon.request()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Leave:
+            self.pointed.emit(None)
+        return super().eventFilter(watched, event)
 
     def mark(self, selection: Selection, *, beside: bool) -> None:
         """Mark what is selected, and say what it is."""
-        self.words.setText(selection.words or plot_words(self.id, self.series))
+        self._say(selection.words or plot_words(self.id, self.series))
         if self._mark is not None:
             self._mark.remove()
             self._mark = None
@@ -121,7 +128,7 @@ class StatisticsPlot(Cell):
         """Objects that the plot is made of: equal ones make the same plot."""
         parts = [(one.connectivity, one.spectrum, one.geodesic) for one in series]
         chosen = {"spectrum": 1, "geodesic": 2}.get(self.id, 0)
-        names = [(one.name, one.colour) for one in series]
+        names = [(one.name, one.colour, one.relative) for one in series]
         return [*names, *(id(part[chosen]) for part in parts)]
 
     def _redraw(self) -> None:
@@ -143,7 +150,12 @@ class StatisticsPlot(Cell):
         self.canvas.update()
 
     def _on_motion(self, event: MouseEvent) -> None:
-        if self._axes is None or event.inaxes is None or not self.series:
-            return
-        beside = event.inaxes is not self._axes
-        self.pointed.emit(Spot(self.id, event.xdata, event.ydata, beside))
+        self.pointed.emit(self._spot(event.x, event.y) if self._axes and self.series else None)
+
+    def _spot(self, x: float, y: float) -> Spot | None:
+        """Place on the scales of the axes that hold a point; matplotlib passes inner ones over."""
+        for axes in (*self._axes.child_axes, self._axes):
+            if axes.bbox.contains(x, y):
+                place = axes.transData.inverted().transform((x, y))
+                return Spot(self.id, float(place[0]), float(place[1]), axes is not self._axes)
+        return None

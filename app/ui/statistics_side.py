@@ -5,6 +5,7 @@ from typing import Any
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import (
+    QCheckBox,
     QComboBox,
     QFrame,
     QGridLayout,
@@ -24,7 +25,7 @@ from app.ui.parameter_form import ParameterForm
 from core.parameters import build_params
 from core.statistics import GeodesicParams, SpectrumParams, Summary
 
-WIDTH = 232
+WIDTH = 288
 
 COLOURINGS = {
     "none": "Nothing",
@@ -57,6 +58,8 @@ class StatisticsSide(QWidget):
         self.matrix = QComboBox()
         self.colour = QComboBox()
         self.geodesic = ParameterForm(GeodesicParams)
+        self.relative = QCheckBox("As share of the longest")
+        self.relative.setToolTip("Makes the distances of a large and a small model comparable.")
         self.tools = QToolButton(text="Mesh tools", autoRaise=False)
         self.tools.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.tools.setMenu(QMenu(self.tools))
@@ -94,9 +97,9 @@ class StatisticsSide(QWidget):
             item.widget().deleteLater()
         tables = [summary_rows(summary) for summary in summaries]
         for row, cells in enumerate(zip(*tables, strict=True)):
-            self._summary.addWidget(QLabel(_sentence(cells[0][0])), 2 * row, 0)
+            self._summary.addWidget(QLabel(_sentence(cells[0][0])), row, 0)
             for column, (_, value) in enumerate(cells):
-                self._summary.addWidget(self._value(value, column, len(cells)), 2 * row, column + 1)
+                self._summary.addWidget(self._value(value, column, len(cells)), row, column + 1)
 
     def show_activity(self, activity: tuple[str, float] | None, *, cancelled: bool) -> None:
         """Show what is being computed, with a button to stop it or to go on."""
@@ -144,11 +147,13 @@ class StatisticsSide(QWidget):
             column.addWidget(QLabel(title))
             column.addWidget(widget)
         column.addWidget(_heading("Summary"))
-        self._summary.setHorizontalSpacing(8)
+        self._summary.setHorizontalSpacing(6)
+        self._summary.setColumnStretch(0, 1)
         self._summary.setVerticalSpacing(0)
         column.addLayout(self._summary)
         column.addWidget(self.tools)
         column.addWidget(_heading("Geodesic distances"))
+        column.addWidget(self.relative)
         column.addWidget(self.geodesic)
         column.addStretch()
         scroll = QScrollArea(widgetResizable=True, frameShape=QFrame.Shape.NoFrame)
@@ -174,6 +179,7 @@ class StatisticsSide(QWidget):
             self.matrix.currentIndexChanged,
             self.colour.currentIndexChanged,
             self.geodesic.changed,
+            self.relative.toggled,
         ):
             signal.connect(self._on_changed)
         self.second.activated.connect(

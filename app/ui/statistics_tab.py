@@ -3,21 +3,20 @@
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtGui import QGuiApplication, QShowEvent
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QWidget
 
-from app.export.statistics_plots import PLOTS, save_statistics_plot
+from app.export.statistics_plots import PLOTS
 from app.export.statistics_selection import Selection, Spot, select
 from app.export.statistics_series import SERIES_COLOURS, Series
-from app.export.statistics_tables import plot_tables
 from app.scene.colours import Theme
-from app.scene.panes import Look, Pane
-from app.scene.statistics_scene import ModelPane, unit_points
+from app.scene.statistics_panes import PaneMaker, ShownModel, colour_look
 from app.session import Session
 from app.ui.controls import Coalesced
-from app.ui.dialogs import ask_for_file, ask_where_to_save, tell
-from app.ui.statistics_matrix import SAVE_FILTERS, MatrixCell
+from app.ui.dialogs import ask_for_file, tell
+from app.ui.statistics_matrix import MatrixCell
 from app.ui.statistics_plot import Cell, StatisticsPlot
+from app.ui.statistics_saving import ask_for_cell, copy_numbers
 from app.ui.statistics_second import OPEN, SecondModel
 from app.ui.statistics_side import WIDTH, StatisticsSide
 from app.ui.statistics_tools import TOOLS, remesh
@@ -27,7 +26,6 @@ from core.arrays import BoolArray, FloatArray
 
 _REDRAW_MS = 80
 _REFRESH_MS = 250
-_PLOT_FILTERS = "SVG (*.svg);;PDF (*.pdf);;PNG (*.png)"
 _COLOUR_TITLES = {
     "degree": "degree",
     "assortativity": "K_nn",
@@ -55,7 +53,7 @@ class StatisticsTab(QWidget):
         self.enlarged: str | None = None
         self._theme = theme
         self._pointed: Spot | None = None
-        self._points: dict[int, tuple[object, np.ndarray]] = {}
+        self._pane_maker = PaneMaker()
         self.work = StatisticsWork(session.jobs)
         self.second = SecondModel(session, self)
         self.side = StatisticsSide()
@@ -88,19 +86,6 @@ class StatisticsTab(QWidget):
         self.enlarged = None if self.enlarged == cell else cell
         self._place_cells()
         self._redraw_soon.request()
-
-    def save(self, cell: str, path: Path) -> None:
-        """Save a plot, dark on white as papers want it."""
-        if cell == "matrix":
-            self.matrix.save_to(path)
-        else:
-            save_statistics_plot(path, PLOTS[cell], self.work.series())
-
-    def copy(self, plot: str) -> None:
-        """Copy the numbers of a plot, with tabs between them as spreadsheets want it."""
-        tables = plot_tables(plot, self.work.series())
-        QGuiApplication.clipboard().setText("\n".join(table.text("\t") for table in tables))
-        self.session.notified.emit(f"Copied the numbers of: {PLOTS[plot].title}.")
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -163,8 +148,8 @@ class StatisticsTab(QWidget):
         self.view.picked.connect(self._pick)
         for cell in self.cells.values():
             cell.enlarge_asked.connect(self.enlarge)
-            cell.save_asked.connect(self._ask_where_to_save)
-            cell.copy_asked.connect(self.copy)
+            cell.save_asked.connect(lambda cell: ask_for_cell(self, cell))
+            cell.copy_asked.connect(lambda plot: copy_numbers(self, plot))
         for plot in self.plots.values():
             plot.pointed.connect(self._on_pointed)
 
@@ -193,46 +178,22 @@ class StatisticsTab(QWidget):
             self.matrix.show_mesh(self.work.models[0].mesh, self._theme)
 
     def _draw_models(self, series: list[Series]) -> None:
-        values = [self._values(place, one) for place, one in enumerate(series)]
-        known = [some[np.isfinite(some)] for some in values if some is not None]
-        title = _COLOUR_TITLES.get(self.side.colour.currentData(), "") if known else ""
-        whole = np.concatenate(known) if known else np.zeros(1)
-        look = Look(
-            faces=np.zeros((0, 3), np.int32),
-            theme=self._theme,
-            colour_title=title,
-            colour_range=(float(whole.min(initial=0 if not len(whole) else np.inf)),
-                          float(np.percentile(whole, 99.9)) if len(whole) else 1.0),
-            text_scale=self.devicePixelRatioF(),
-        )  # fmt: skip
-        panes = []
-        for place, model in enumerate(self.work.models):
-            some = values[place] if place < len(values) else None
-            panes.append(self._pane(place, model, some))
-        self.view.show_models(panes, look)
+        colour = self.side.colour.currentData()
+        models = [
+            ShownModel(model.name, SERIES_COLOURS[place], model.mesh, self._values(place, series))
+            for place, model in enumerate(self.work.models)
+        ]
+        title = _COLOUR_TITLES.get(colour, "")
+        look = colour_look(models, title, self._theme, self.devicePixelRatioF())
+        self.view.show_models(self._pane_maker.panes(models), look)
         self._light()
 
-    def _pane(self, place: int, model: Model, values: FloatArray | None) -> ModelPane:
-        known = self._points.get(place)
-        if known is None or known[0] is not model.mesh:
-            known = self._points[place] = model.mesh, unit_points(model.mesh)
-        caption = f"{len(model.mesh.vertices):,} vertices, {len(model.mesh.faces):,} faces"
-        if values is not None:
-            values = np.nan_to_num(values, posinf=np.nan)
-        pane = Pane(str(place), model.name, caption, SERIES_COLOURS[place], known[1], values)
-        return ModelPane(pane, model.mesh.faces)
-
-    def _values(self, place: int, series: Series) -> FloatArray | None:
-        vertices = series.connectivity
+    def _values(self, place: int, series: list[Series]) -> FloatArray | None:
+        """What colours the vertices of a model."""
         colour = self.side.colour.currentData()
         if colour == "distance":
             return self.work.distances(place)
-        values = {
-            "degree": vertices.degrees,
-            "assortativity": vertices.neighbour_degrees,
-            "clustering": vertices.clustering,
-        }.get(colour)
-        return None if values is None else values.astype(np.float64)
+        return series[place].vertex_values(colour) if place < len(series) else None
 
     def _show_activity(self) -> None:
         self.side.show_activity(self.work.activity, cancelled=self.work.cancelled)
@@ -247,6 +208,7 @@ class StatisticsTab(QWidget):
             self.second.choose(id_)
 
     def _on_side_changed(self) -> None:
+        self.work.relative = self.side.relative.isChecked()
         self.work.set_params(self.side.geodesic_params(), self.side.spectrum_params())
         self._redraw_soon.request()
 
@@ -285,21 +247,3 @@ class StatisticsTab(QWidget):
         mask = np.zeros(len(self.work.models[place].mesh.vertices), np.bool_)
         mask[picked[1]] = True
         return mask
-
-    def _ask_where_to_save(self, cell: str) -> None:
-        if not self.work.models:
-            return
-
-        def save(path: Path) -> None:
-            try:
-                self.save(cell, path)
-            except (ValueError, OSError) as error:
-                tell(self, str(error))
-            else:
-                self.session.notified.emit(f"Saved {path.name}.")
-
-        matrix = cell == "matrix"
-        name = f"{self.work.models[0].name}_{cell}.{'png' if matrix else 'svg'}"
-        ask_where_to_save(
-            self, "Save the plot", name, SAVE_FILTERS if matrix else _PLOT_FILTERS, save
-        )

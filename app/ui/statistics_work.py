@@ -1,5 +1,6 @@
 """The statistics of the models on show: computed beside the window, and kept."""
 
+import time
 from collections import OrderedDict
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -24,6 +25,7 @@ from core.statistics.geodesic import distances_from_vertex
 
 Kind = Literal["vertices", "spectrum", "geodesic", "picked"]
 _KEPT = 60
+_TELL_SECONDS = 0.4
 _NAMES = {"vertices": "degrees", "spectrum": "spectrum", "geodesic": "geodesic distances",
           "picked": "distances from the vertex"}  # fmt: skip
 
@@ -93,8 +95,10 @@ class StatisticsWork:
         self.models: tuple[Model, ...] = ()
         self.geodesic = GeodesicParams()
         self.spectrum = SpectrumParams()
+        self.relative = False
         self.picked: tuple[int, int] | None = None
         self._jobs = jobs
+        self._told = 0.0
         # The task is kept with its result: its mesh must live as long as the key names its id.
         self._results: OrderedDict[tuple[Any, ...], tuple[_Task, Any, float]] = OrderedDict()
         self._running: dict[tuple[Any, ...], Job] = {}
@@ -165,7 +169,9 @@ class StatisticsWork:
             one = Series.of_vertices(model.name, SERIES_COLOURS[place], known[0])
             spectrum = self._value(_Task("spectrum", model.mesh, self.spectrum))
             distances = self._value(_Task("geodesic", model.mesh, self.geodesic))
-            found.append(replace(one, spectrum=spectrum, geodesic=distances))
+            found.append(
+                replace(one, spectrum=spectrum, geodesic=distances, relative=self.relative)
+            )
         return found
 
     def summaries(self) -> list[Summary]:
@@ -201,9 +207,7 @@ class StatisticsWork:
         def step(progress: Progress[Any]) -> None:
             self._results[key] = task, progress.value, progress.share
             self._forget_oldest()
-            if progress.value is not None:
-                self.changed.emit()
-            self.activity_changed.emit()
+            self._tell(whole=progress.share >= 1, grown=progress.value is not None)
 
         def failed(error: Exception) -> None:
             self._given_up[key] = task
@@ -216,6 +220,15 @@ class StatisticsWork:
         job = Job(task.steps(), step, failed, done)
         self._running[key] = job
         self._jobs.start(job, urgent=task.kind in {"vertices", "picked"})
+
+    def _tell(self, *, whole: bool, grown: bool) -> None:
+        """Tell of progress, but not so often that drawing it holds up the work."""
+        now = time.monotonic()
+        if whole or now - self._told > _TELL_SECONDS:
+            self._told = now
+            self.activity_changed.emit()
+            if grown:
+                self.changed.emit()
 
     def _entry(self, key: tuple[Any, ...]) -> tuple[Any, float]:
         _, value, share = self._results.get(key, (None, None, 0.0))

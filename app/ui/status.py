@@ -24,6 +24,8 @@ class StatusBar(QStatusBar):
     def __init__(self, session: Session, cancel: QAction) -> None:
         super().__init__()
         self._session = session
+        self._place = QLabel()
+        self.addWidget(self._place, 1)
         self._text = QLabel()
         self._bar = QProgressBar(maximum=100, textVisible=False)
         self._bar.setFixedSize(140, 12)
@@ -36,6 +38,10 @@ class StatusBar(QStatusBar):
         session.activity_changed.connect(self._update_soon.request)
         session.notified.connect(lambda text: self.showMessage(text, _MESSAGE_MS))
         self._update()
+
+    def show_place(self, text: str) -> None:
+        """Tell what is under the cursor."""
+        self._place.setText(text)
 
     def _update(self) -> None:
         activity = self._session.activity

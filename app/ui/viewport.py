@@ -18,7 +18,7 @@ from PySide6.QtGui import QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import QRubberBand, QVBoxLayout, QWidget
 from vtkmodules.vtkRenderingCore import vtkCellPicker
 
-from app.scene.camera import pan_and_dolly, point_on_focal_plane
+from app.scene.camera import CameraPose, pan_and_dolly, point_on_focal_plane
 from app.scene.grid import GRID_SHAPE, PaneGrid
 from app.scene.panes import Look, Pane
 from app.ui.interactor import Interactor
@@ -70,6 +70,11 @@ class Viewport(QWidget):
         self.grid.show(panes, look, self.pixel_size())
         self.interactor.update()
 
+    def redraw(self) -> None:
+        """Draw what is shown once more, after the grid was told to arrange it otherwise."""
+        if self._look is not None:
+            self.show_panes(self._panes, self._look)
+
     def pixel_size(self) -> tuple[int, int]:
         """Size of the drawing area in device pixels."""
         return self.interactor.pixel_size()
@@ -77,6 +82,18 @@ class Viewport(QWidget):
     def look_from(self, preset: str) -> None:
         """Show the whole model from a preset direction."""
         self.grid.look_from(preset)
+        self.interactor.update()
+
+    @property
+    def pose(self) -> CameraPose:
+        """Where the camera of the selected pane stands."""
+        chosen = self._look.selected if self._look else None
+        place = self.grid.ids.index(chosen) if chosen in self.grid.ids else 0
+        return self.grid.poses()[place]
+
+    def set_pose(self, pose: CameraPose) -> None:
+        """Put the cameras of all panes into a pose."""
+        self.grid.set_poses([pose])
         self.interactor.update()
 
     def set_linked(self, linked: bool, leader: str | None) -> None:
@@ -88,7 +105,7 @@ class Viewport(QWidget):
     def toggle_enlarged(self, pane: str | None) -> None:
         """Enlarge one pane to the whole viewport, or bring the others back."""
         self.grid.enlarged = None if self.grid.enlarged else pane
-        self._redraw()
+        self.redraw()
 
     def start_box_zoom(self, on: bool) -> None:
         """Let the next drag draw a rectangle to zoom into."""
@@ -103,9 +120,20 @@ class Viewport(QWidget):
         if pane is None:
             return
         picker = vtkCellPicker()
-        x, y = self._device(QPointF(cursor))
+        x, y = self.device(QPointF(cursor))
         if picker.Pick(x, y, 0, self.grid.renderer(pane)):
             self._fly(pane, picker.GetPickPosition())
+
+    def share(self, point: QPointF) -> tuple[float, float]:
+        """Turn a point of the widget into shares of its size from the lower left corner."""
+        size = self.interactor.size()
+        return point.x() / max(size.width(), 1), 1 - point.y() / max(size.height(), 1)
+
+    def device(self, point: QPointF) -> tuple[float, float]:
+        """Turn a point of the widget into device pixels from the lower left corner."""
+        width, height = self.pixel_size()
+        x, y = self.share(point)
+        return x * width, y * height
 
     def close_interactor(self) -> None:
         """Release the graphics; the widget cannot be used any more."""
@@ -117,7 +145,7 @@ class Viewport(QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         # The interactor gets its size after this event; draw with the new one.
-        QTimer.singleShot(0, self, self._redraw)
+        QTimer.singleShot(0, self, self.redraw)
 
     def eventFilter(self, watched: QWidget, event: QEvent) -> bool:
         if not isinstance(event, QMouseEvent):
@@ -171,22 +199,8 @@ class Viewport(QWidget):
     def _after_drawing(self, *_: object) -> None:
         self.draw_seconds = time.perf_counter() - self._draw_started
 
-    def _redraw(self) -> None:
-        if self._look is not None:
-            self.show_panes(self._panes, self._look)
-
-    def _share(self, point: QPoint) -> tuple[float, float]:
-        """Turn a point of the widget into shares of its size from the lower left corner."""
-        size = self.interactor.size()
-        return point.x() / max(size.width(), 1), 1 - point.y() / max(size.height(), 1)
-
-    def _device(self, point: QPointF) -> tuple[float, float]:
-        width, height = self.pixel_size()
-        x, y = self._share(point.toPoint())
-        return x * width, y * height
-
     def _pane_at(self, point: QPoint) -> str | None:
-        return self.grid.pane_at(*self._share(point))
+        return self.grid.pane_at(*self.share(QPointF(point)))
 
     def _zoom_into(self, box: QRect) -> None:
         """Move the camera so that a rectangle of one pane fills it."""

@@ -69,9 +69,18 @@ def _heat_from(
     distances = np.full(len(components), np.inf)
     place = int(np.searchsorted(used, source))
     if place < len(used) and used[place] == source:
-        distances[used] = solver.compute_distance(place)
+        # Near the source the solution may fall below zero by its own error.
+        distances[used] = np.maximum(_solved(solver, place), 0.0)
     distances[components != components[source]] = np.inf
     distances[source] = 0.0
     if np.isnan(distances).any():
         raise StatisticsError("The heat method finds no distances on this mesh.")
+    return distances
+
+
+def _solved(solver: MeshHeatMethodDistanceSolver, place: int) -> FloatArray:
+    try:
+        distances: FloatArray = solver.compute_distance(place)
+    except RuntimeError as error:
+        raise StatisticsError("The heat method finds no distances on this mesh.") from error
     return distances

@@ -64,7 +64,7 @@ def test_output_folder_gets_pictures_plot_tables_and_meshes(capsys, ball_file, t
     names = {path.name for path in folder.iterdir()}
     assert names == {
         "panes.png", "errors.png", "errors.svg", "table.csv", "table.md", "result.json",
-        "study.json", "noisy.ply", "mean.ply",
+        "study.burnish", "noisy.ply", "mean.ply",
     }  # fmt: skip
 
 

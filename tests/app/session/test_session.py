@@ -23,7 +23,9 @@ class Desk:
         self.calls = queue.Queue()
         self.session = Session(self.calls.put)
         self.failures = []
+        self.faults = []
         self.session.failed.connect(self.failures.append)
+        self.session.broken.connect(self.faults.append)
 
     def work_until(self, condition):
         end = time.monotonic() + _LONG
@@ -192,7 +194,8 @@ def test_a_method_that_raises_is_told_once_and_leaves_the_others_alone(
     monkeypatch.setitem(METHODS, "bilateral", type(spec)(**{**vars(spec), "steps": fail}))
     desk.session.apply(study_of(ball_file, "bilateral", "mean"), "Open")
     desk.rest()
-    assert desk.failures == ["the kernel is on fire"]
+    assert [str(fault) for fault in desk.faults] == ["the kernel is on fire"]
+    assert not desk.failures
     assert desk.session.run("bilateral").computed == 1
     assert desk.session.run("mean").computed == 3
 
@@ -228,3 +231,43 @@ def test_steps_of_one_name_in_a_row_are_one_undo_step(desk, ball_file):
         desk.session.apply(study.with_choice(choice), "Iterations")
     desk.session.undo()
     assert desk.session.study == study
+
+
+def test_undoing_noise_brings_meshes_and_runs_back_at_once(desk, ball_file):
+    study = study_of(ball_file, "mean")
+    desk.session.apply(study, "Open")
+    desk.rest()
+    meshes, run = desk.session.meshes, desk.session.run("mean")
+    desk.session.apply(study.model_copy(update={"noise": NoiseParams(sigma=0.3)}), "Noise")
+    desk.rest()
+    desk.session.undo()
+    assert desk.session.activity is None
+    assert desk.session.meshes is meshes
+    assert desk.session.run("mean") is run
+
+
+def test_methods_in_use_do_not_push_each_other_out(ball_file):
+    desk = Desk()
+    desk.session.set_budget(1)
+    desk.session.apply(study_of(ball_file, "mean", "diffusion", "median"), "Open")
+    desk.rest()
+    assert [desk.session.run(m).computed for m in ("mean", "diffusion", "median")] == [3, 3, 3]
+    desk.session.apply(study_of(ball_file, "mean"), "Fewer")
+    desk.session.set_budget(1)
+    desk.session.undo()
+    desk.rest()
+    assert desk.session.run("median").computed == 3
+    desk.session.close()
+
+
+def test_a_study_opened_while_another_changes_keeps_both(desk, ball_file, tmp_path):
+    other = tmp_path / "other.ply"
+    save_mesh(primitives.torus(), other)
+    desk.session.apply(study_of(ball_file, "mean"), "Open")
+    desk.rest()
+    opened = study_of(str(other), "diffusion", iterations=2)
+    desk.session.apply(opened, "Open other")
+    view = desk.session.study.view.model_copy(update={"edges": True})
+    desk.session.apply(desk.session.study.model_copy(update={"view": view}), "Edges")
+    desk.rest()
+    assert desk.session.study == opened.model_copy(update={"view": view})

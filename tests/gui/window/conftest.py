@@ -23,8 +23,10 @@ def ball_file(tmp_path):
 
 
 @pytest.fixture
-def window(qtbot, tmp_path):
+def window(qtbot, tmp_path, monkeypatch):
     """A main window without a model, active, of the smallest supported size."""
+    for kind in ("STATE", "CACHE"):
+        monkeypatch.setenv(f"XDG_{kind}_HOME", str(tmp_path / kind.lower()))
     QCoreApplication.setOrganizationName("BurnishTests")
     QCoreApplication.setApplicationName("BurnishTests")
     QSettings.setDefaultFormat(QSettings.Format.IniFormat)
@@ -39,6 +41,7 @@ def window(qtbot, tmp_path):
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow)
     yield window
+    window.files.discard_changes()
     window.close()
     window.deleteLater()
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)

@@ -1,0 +1,216 @@
+"""A figure of panes in a grid with captions (a), (b), (c), as in figure 2.10 of the thesis."""
+
+import io
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import matplotlib as mpl
+import numpy as np
+import pyvista as pv
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import Normalize
+from matplotlib.figure import Figure
+
+from app.export.montage_plan import (
+    BAR_WIDTH,
+    GAP,
+    INCH,
+    MARGIN,
+    Ground,
+    Layout,
+    Montage,
+    montage_layout,
+)
+from app.export.pictures import Picture, PictureError, prefer_headless_graphics, unmix
+from app.scene.camera import CameraPose
+from app.scene.colours import LIGHT, Theme
+from app.scene.grid import GRID_SHAPE, PaneGrid
+from app.scene.panes import Look, Pane
+
+SUFFIXES = (".png", ".pdf", ".tiff")
+_SCREEN_DPI = 96.0
+_WHITE = replace(LIGHT, ground="#ffffff", ground_top="#ffffff", panel="#ffffff", ink="#000000")
+
+
+@dataclass(frozen=True, eq=False)
+class Source:
+    """The panes a montage takes its pictures from.
+
+    Attributes
+    ----------
+    panes : tuple of Pane
+        All panes there are.
+    look : Look
+        How they are drawn.
+    poses : dict of str to CameraPose, or None
+        The camera of each pane by its id; None shows the whole models.
+    aspect : float
+        Width over height of the view the poses were set in; as much is seen in every picture.
+    """
+
+    panes: tuple[Pane, ...]
+    look: Look
+    poses: dict[str, CameraPose] | None = None
+    aspect: float = 1.0
+
+
+def montage_figure(
+    montage: Montage, source: Source, draw: Callable[..., list[Picture]] | None = None
+) -> Figure:
+    """Compose a montage; what is shown on the screen and what is saved both come from here.
+
+    Parameters
+    ----------
+    montage : Montage
+        What to show.
+    source : Source
+        The panes.
+    draw : callable, optional
+        Used in place of :func:`cell_pictures`, to keep pictures between calls.
+    """
+    look = grounded(source.look, montage.ground)
+    with_bar = montage.bar and bool(look.colour_title)
+    layout = montage_layout(montage, with_bar=with_bar)
+    dots = montage.dpi / INCH
+    size = (max(round(layout.cell_width * dots), 1), max(round(layout.cell_height * dots), 1))
+    chosen = [cell.pane for cell in montage.cells]
+    drawn = (draw or cell_pictures)(
+        source, look, chosen, size, montage.dpi, transparent=montage.ground == "transparent"
+    )
+    figure = Figure(figsize=(layout.width / INCH, layout.height / INCH), dpi=montage.dpi)
+    figure.set_facecolor("none" if montage.ground == "transparent" else look.theme.ground)
+    for place, picture in enumerate(drawn):
+        _place_picture(figure, montage, layout, place, picture, look.theme)
+    if with_bar:
+        _place_bar(figure, montage, layout, look)
+    return figure
+
+
+def grounded(look: Look, ground: Ground) -> Look:
+    """Return a look for a figure: no frames, no bar, dark ink unless the theme is wanted."""
+    theme = replace(look.theme, ground_top=look.theme.ground) if ground == "theme" else _WHITE
+    return replace(look, theme=theme, bar=False, framed=False, selected=None)
+
+
+def cell_pictures(
+    source: Source, look: Look, chosen: Sequence[str], size: tuple[int, int], dpi: float,
+    *, transparent: bool,
+) -> list[Picture]:  # fmt: skip
+    """Draw panes, each alone and without its text, into pictures of one size."""
+    prefer_headless_graphics()
+    panes = {pane.id: pane for pane in source.panes}
+    plotter = pv.Plotter(shape=GRID_SHAPE, border=False, off_screen=True, window_size=list(size))
+    try:
+        grid = PaneGrid(plotter)
+        look = replace(look, text_scale=dpi / _SCREEN_DPI)
+        return [
+            _cell_picture(grid, panes[id_], look, source, size, transparent=transparent)
+            for id_ in chosen
+        ]
+    finally:
+        plotter.close()
+
+
+def montage_pixels(figure: Figure) -> Picture:
+    """Draw a montage's figure into pixels, (height, width, 4)."""
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    picture: Picture = np.asarray(canvas.buffer_rgba()).copy()
+    return picture
+
+
+def save_montage(figure: Figure, path: Path) -> None:
+    """Write a montage's figure as PNG, TIFF or PDF, by the suffix; captions of a PDF stay text.
+
+    Raises
+    ------
+    PictureError
+        If the suffix is another, or the file cannot be written.
+    """
+    suffix = ".tiff" if path.suffix.lower() == ".tif" else path.suffix.lower()
+    if suffix not in SUFFIXES:
+        allowed = " ".join(SUFFIXES)
+        raise PictureError(f"{path.name}: figures are not written in this format; use {allowed}.")
+    # No date: the same study gives the same file.
+    metadata = {"CreationDate": None} if suffix == ".pdf" else None
+    extra = {"pil_kwargs": {"compression": "tiff_lzw"}} if suffix == ".tiff" else {}
+    buffer = io.BytesIO()
+    with mpl.rc_context({"pdf.fonttype": 42}):
+        figure.savefig(buffer, format=suffix[1:], dpi=figure.dpi, metadata=metadata, **extra)
+    try:
+        path.write_bytes(buffer.getvalue())
+    except OSError as error:
+        reason = error.strerror or type(error).__name__
+        raise PictureError(f"{path} cannot be written: {reason}.") from error
+
+
+def _cell_picture(
+    grid: PaneGrid, pane: Pane, look: Look, source: Source, size: tuple[int, int],
+    *, transparent: bool,
+) -> Picture:  # fmt: skip
+    grid.show([replace(pane, title="", caption="")], look, size)
+    _aim(grid, pane.id, source, size[0] / size[1])
+    if not transparent:
+        return _shot(grid, look.theme.ground)
+    return unmix(_shot(grid, "black"), _shot(grid, "white"))
+
+
+def _aim(grid: PaneGrid, pane: str, source: Source, aspect: float) -> None:
+    """Show as much as the window does, also where the picture is narrower than the pane."""
+    camera = grid.renderer(pane).GetActiveCamera()
+    camera.SetViewAngle(30.0)
+    if source.poses is None:
+        grid.look_from("Oblique")
+        return
+    grid.set_poses([source.poses[pane]])
+    if aspect < source.aspect:
+        half = np.tan(np.radians(15.0)) * source.aspect / aspect
+        camera.SetViewAngle(2 * np.degrees(np.arctan(half)))
+
+
+def _shot(grid: PaneGrid, ground: str) -> Picture:
+    grid.set_ground(ground, None)
+    grid.fit_clipping()
+    grid.plotter.render()
+    picture: Picture = grid.plotter.screenshot(return_img=True)
+    return picture[..., :3]
+
+
+def _place_picture(
+    figure: Figure, montage: Montage, layout: Layout, place: int, picture: Picture, theme: Theme
+) -> None:
+    left, bottom, wide, high = layout.cell(montage, place)
+    shares = left / layout.width, bottom / layout.height, wide / layout.width, high / layout.height
+    axes = figure.add_axes(shares)
+    axes.set_axis_off()
+    axes.imshow(picture, aspect="auto", interpolation="nearest")
+    middle = (left + wide / 2) / layout.width
+    below = (bottom - 0.35 * montage.line) / layout.height
+    figure.text(
+        middle, below, montage.caption(place), ha="center", va="top",
+        size=montage.font_size, color=theme.ink,
+    )  # fmt: skip
+
+
+def _place_bar(figure: Figure, montage: Montage, layout: Layout, look: Look) -> None:
+    """Draw the colour bar as high as two thirds of the pictures, its title on top."""
+    top = layout.height - MARGIN
+    bottom = layout.cell(montage, len(montage.cells) - 1)[1]
+    high = 0.66 * (top - bottom)
+    left = layout.bar_left + GAP
+    middle = (top + bottom) / 2
+    axes = figure.add_axes(
+        (left / layout.width, (middle - high / 2) / layout.height,
+         BAR_WIDTH / layout.width, high / layout.height)
+    )  # fmt: skip
+    mappable = mpl.cm.ScalarMappable(Normalize(*look.colour_range), look.colour_map)
+    bar = figure.colorbar(mappable, cax=axes)
+    bar.outline.set_linewidth(0.4)
+    bar.outline.set_edgecolor(look.theme.ink)
+    axes.tick_params(labelsize=0.8 * montage.font_size, colors=look.theme.ink, width=0.4, length=2)
+    title = look.colour_title.replace(" (", "\n(").replace("\n\n", "\n")
+    figure.text(
+        (layout.width - MARGIN) / layout.width, (middle + high / 2 + GAP) / layout.height,
+        title, ha="right", va="bottom", size=0.8 * montage.font_size, color=look.theme.ink,
+    )  # fmt: skip

@@ -1,0 +1,120 @@
+"""What a montage shows and where its pictures stand, in centimetres."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+from app.export.pictures import PictureError
+
+Ground = Literal["white", "transparent", "theme"]
+
+MARGIN = 0.1
+GAP = 0.15
+BAR_WIDTH = 0.3
+INCH = 2.54
+_CAPTION_LINES = 1.7
+_BAR_TEXT = 4.2
+
+
+@dataclass(frozen=True)
+class Cell:
+    """One picture of a montage: the pane it shows, and its caption without the letter."""
+
+    pane: str
+    caption: str
+
+
+@dataclass(frozen=True)
+class Montage:
+    """What a figure shows and how large it is.
+
+    Attributes
+    ----------
+    cells : tuple of Cell
+        The pictures in reading order.
+    columns : int
+        Pictures in a row.
+    letters : bool
+        Whether captions begin with (a), (b), (c).
+    bar : bool
+        Whether the colour bar stands at the right, where panes are coloured.
+    ground : {"white", "transparent", "theme"}
+        What is behind everything.
+    width, height : float
+        Size in centimetres; a height of 0 makes the pictures square.
+    dpi : float
+        Pixels an inch.
+    font_size : float
+        Size of the captions in points.
+    """
+
+    cells: tuple[Cell, ...]
+    columns: int = 3
+    letters: bool = True
+    bar: bool = True
+    ground: Ground = "white"
+    width: float = 16.0
+    height: float = 0.0
+    dpi: float = 300.0
+    font_size: float = 9.0
+
+    @property
+    def line(self) -> float:
+        """Height of the letters in centimetres."""
+        return self.font_size * INCH / 72
+
+    @property
+    def rows(self) -> int:
+        """Number of rows."""
+        return -(-len(self.cells) // self.columns)
+
+    def caption(self, place: int) -> str:
+        """Return a caption with its letter; after (z) comes (aa)."""
+        text = self.cells[place].caption
+        if not self.letters:
+            return text
+        letter = chr(ord("a") + place % 26)
+        return f"({letter * (place // 26 + 1)}) {text}".rstrip()
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Where everything stands, in centimetres from the lower left corner."""
+
+    width: float
+    height: float
+    cell_width: float
+    cell_height: float
+    step_down: float
+    bar_left: float
+
+    def cell(self, montage: Montage, place: int) -> tuple[float, float, float, float]:
+        """Left, bottom, width and height of a picture; a last row that is not full is centred."""
+        row, column = divmod(place, montage.columns)
+        missing = montage.columns - min(montage.columns, len(montage.cells) - row * montage.columns)
+        step = self.cell_width + GAP
+        left = MARGIN + (column + missing / 2) * step
+        bottom = self.height - MARGIN - row * self.step_down - self.cell_height
+        return left, bottom, self.cell_width, self.cell_height
+
+
+def montage_layout(montage: Montage, *, with_bar: bool) -> Layout:
+    """Place the pictures of a montage.
+
+    Raises
+    ------
+    PictureError
+        If there are no pictures, or the size leaves them no room.
+    """
+    if not montage.cells:
+        raise PictureError("The figure has no panes; choose at least one.")
+    line = montage.line
+    bar = BAR_WIDTH + GAP + _BAR_TEXT * line if with_bar else 0.0
+    room = montage.width - 2 * MARGIN - bar - (montage.columns - 1) * GAP
+    wide, text = room / montage.columns, _CAPTION_LINES * line
+    rest = montage.height - 2 * MARGIN - (montage.rows - 1) * GAP
+    high = rest / montage.rows - text if montage.height else wide
+    if min(wide, high) < line:
+        raise PictureError("The figure is too small for its panes; make it larger.")
+    step = high + text + GAP
+    height = montage.height or montage.rows * step - GAP + 2 * MARGIN
+    return Layout(montage.width, height, wide, high, step, montage.width - bar - MARGIN)

@@ -1,0 +1,88 @@
+"""Cameras that are saved by name, copied and pasted."""
+
+from typing import Any
+
+from PySide6.QtWidgets import QApplication, QInputDialog, QLineEdit, QMenu
+
+from app.scene.camera import CameraPose
+from app.scene.camera_text import CameraTextError, named, pose_of, pose_text, read_pose
+from app.ui.dialogs import tell
+
+
+class Cameras:
+    """What the camera commands do, in the tab that is shown.
+
+    Parameters
+    ----------
+    window : MainWindow
+        The window.
+    """
+
+    def __init__(self, window: Any) -> None:
+        self._window = window
+
+    def look_from(self, preset: str) -> None:
+        """Show the whole model from a preset direction."""
+        self._viewport().look_from(preset)
+
+    def copy(self) -> None:
+        """Put the camera on the clipboard as text."""
+        QApplication.clipboard().setText(pose_text(self._pose()))
+        self._window.session.notified.emit("The camera is on the clipboard, as JSON.")
+
+    def paste(self) -> None:
+        """Take the camera from the clipboard."""
+        try:
+            self._place(read_pose(QApplication.clipboard().text()))
+        except CameraTextError as error:
+            tell(self._window, str(error))
+
+    def ask_for_name(self) -> None:
+        """Ask for a name and keep the camera under it, with the study."""
+        view = self._window.session.study.view
+        dialog = QInputDialog(self._window)
+        dialog.setWindowTitle("Save the camera")
+        dialog.setLabelText("Name")
+        dialog.setTextValue(f"Camera {len(view.cameras) + 1}")
+        dialog.textValueSelected.connect(self._save)
+        dialog.open()
+        dialog.findChild(QLineEdit).selectAll()
+
+    def fill(self, menu: QMenu, first: int) -> None:
+        """List the saved cameras in a menu, after its first entries."""
+        for action in menu.actions()[first:]:
+            menu.removeAction(action)
+            action.deleteLater()
+        cameras = self._window.session.study.view.cameras
+        if not cameras:
+            return
+        menu.addSeparator()
+        for camera in cameras:
+            action = menu.addAction(camera.name)
+            action.setStatusTip("Put the camera back to where it was saved")
+            action.triggered.connect(lambda *_, camera=camera: self._place(pose_of(camera)))
+        forget = QMenu("&Forget", menu)
+        for camera in cameras:
+            action = forget.addAction(camera.name)
+            action.triggered.connect(lambda *_, name=camera.name: self._forget(name))
+        menu.addSeparator()
+        menu.addMenu(forget)
+
+    def _save(self, name: str) -> None:
+        if name.strip():
+            camera = named(name.strip(), self._pose())
+            view = self._window.session.study.view.with_camera(camera)
+            self._window.change_view("Save camera", view)
+
+    def _forget(self, name: str) -> None:
+        view = self._window.session.study.view.without_camera(name)
+        self._window.change_view("Forget camera", view)
+
+    def _viewport(self) -> Any:
+        return getattr(self._window.tabs.currentWidget(), "viewport", self._window.denoise.viewport)
+
+    def _pose(self) -> CameraPose:
+        return self._viewport().pose
+
+    def _place(self, pose: CameraPose) -> None:
+        self._viewport().set_pose(pose)

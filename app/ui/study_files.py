@@ -1,0 +1,231 @@
+"""Studies as files of the window: open, save, keep, restore, and ask before work is lost."""
+
+from collections.abc import Callable, Iterator
+from datetime import datetime
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QMimeData, Qt
+from PySide6.QtWidgets import QMessageBox
+
+from app.folders import state_folder
+from app.session import Job
+from app.session.documents import Document, Documents
+from app.ui import dialogs
+from app.ui.autosave import Autosave, Leftover, leftovers
+from app.ui.study_opening import StudyOpening
+from core.io import SUPPORTED_READ
+from core.study import SAMPLE_PREFIX, Study
+from core.study_files import (
+    STUDY_SUFFIX,
+    Fingerprint,
+    StudyFileError,
+    read_study_file,
+    write_study_file,
+)
+
+if TYPE_CHECKING:
+    from app.ui.main_window import MainWindow
+
+_FILTER = f"Burnish studies (*{STUDY_SUFFIX})"
+_Button = QMessageBox.StandardButton
+
+
+class StudyFiles:
+    """The file side of a window.
+
+    Parameters
+    ----------
+    window : MainWindow
+        Its session is what is opened and saved.
+    """
+
+    def __init__(self, window: "MainWindow") -> None:
+        self._window, self._session = window, window.session
+        self.documents = Documents(window.session)
+        self.autosave = Autosave(window.session, self.documents, state_folder() / "sessions")
+        self._may_close = False
+
+    def handlers(self) -> dict[str, Callable[[], object]]:
+        """Return what the commands of this module do, by id."""
+        return {
+            "open": self._ask_for_any,
+            "open_study": self._ask_for_study,
+            "save_study": self.save,
+            "save_study_as": self.save_as,
+            "save_packed": partial(self.save_as, packed=True),
+        }
+
+    @property
+    def title(self) -> str:
+        """Name of the study and its model, with a star while there is unsaved work."""
+        meshes, path = self._session.meshes, self.documents.current.path
+        if meshes is None:
+            return "Burnish"
+        star = "*" if self.documents.is_modified else ""
+        names = [f"{path.name}{star}", meshes.name] if path else [f"{meshes.name}{star}"]
+        return " – ".join([*names, "Burnish"])
+
+    # -- opening
+
+    def open(self, name: str) -> None:
+        """Open a study or a model by its path, or a bundled model as ``sample:ID``."""
+        if Path(name).suffix.lower() == STUDY_SUFFIX:
+            self._when_safe(partial(self._open_study, Path(name).absolute()))
+        elif self.documents.current.path:
+            self._when_safe(partial(self._open_model, name))
+        else:
+            self._open_model(name)
+
+    def restore(self, leftover: Leftover) -> None:
+        """Open what a crash has left; it is kept until it is kept here."""
+
+        def use(study: Study) -> None:
+            self.documents.changed.connect(discard)
+            self.documents.open(study, leftover.document, f"Restore {leftover.title}")
+
+        def discard() -> None:
+            if self.documents.current is leftover.document:
+                self.documents.changed.disconnect(discard)
+                self.autosave.write()
+                leftover.discard()
+
+        StudyOpening(self._window, leftover.study, use).start()
+
+    def offer_leftovers(self) -> None:
+        """Ask whether to restore the newest study that a crash has left."""
+        found = leftovers(state_folder() / "sessions")
+        for other in found[1:]:
+            other.lock.unlock()
+        if found:
+            self._offer(found[0])
+
+    def _offer(self, leftover: Leftover) -> None:
+        when = datetime.fromtimestamp(leftover.saved_at).astimezone()
+        box = self._question(
+            f"Burnish ended without closing while {leftover.title} was open.",
+            f"It was kept on {when:%d %B at %H:%M}. Restore it?",
+        )
+        restore = box.addButton("Restore", QMessageBox.ButtonRole.AcceptRole)
+        restore.clicked.connect(lambda: self.restore(leftover))
+        box.addButton(_Button.Discard).clicked.connect(leftover.discard)
+        later = box.addButton("Ask me next time", QMessageBox.ButtonRole.RejectRole)
+        later.clicked.connect(leftover.lock.unlock)
+        box.open()
+
+    def _open_model(self, model: str) -> None:
+        name = model.removeprefix(SAMPLE_PREFIX)
+        study = self._session.study.model_copy(update={"model": model, "noisy": None})
+        self.documents.open(study, Document(), f"Open {Path(name).name}")
+
+    def _open_study(self, path: Path) -> None:
+        try:
+            file = read_study_file(path)
+        except StudyFileError as error:
+            dialogs.tell(self._window, str(error))
+            return
+
+        def use(study: Study) -> None:
+            document = Document(path, file.packed, study)
+            self.documents.open(study, document, f"Open {path.name}")
+
+        StudyOpening(self._window, file, use).start()
+
+    def _ask_for_any(self) -> None:
+        suffixes = " ".join(f"*{suffix}" for suffix in (*SUPPORTED_READ, STUDY_SUFFIX))
+        filters = f"Models and studies ({suffixes});;{_FILTER};;All files (*)"
+        title = "Open a model or a study"
+        dialogs.ask_for_file(self._window, title, lambda path: self.open(str(path)), filters)
+
+    def _ask_for_study(self) -> None:
+        dialogs.ask_for_file(
+            self._window, "Open a study", lambda path: self.open(str(path)), _FILTER
+        )
+
+    # -- saving
+
+    def save(self, then: Callable[[], object] = lambda: None) -> None:
+        """Save the study to its file; ask for one where it has none."""
+        document = self.documents.current
+        if document.path is None:
+            self.save_as(then)
+        else:
+            self._write(document.path, document.packed, then)
+
+    def save_as(self, then: Callable[[], object] = lambda: None, *, packed: bool = False) -> None:
+        """Ask where to save the study, on request with its models inside."""
+        path = self.documents.current.path
+        name = path.stem if path else Path(self._session.study.model).stem
+        title = "Save the study with its models inside" if packed else "Save the study"
+        dialogs.ask_where_to_save(
+            self._window, title, f"{name.removeprefix(SAMPLE_PREFIX)}{STUDY_SUFFIX}", _FILTER,
+            lambda path: self._write(path, packed, then),
+        )  # fmt: skip
+
+    def _write(self, path: Path, packed: bool, then: Callable[[], object]) -> None:
+        """Write beside the window: packing large models takes a while."""
+        study = self._session.study
+        known: dict[str, Fingerprint] = dict(self._session.meshes.fingerprints)
+
+        def steps() -> Iterator[bool]:
+            write_study_file(study, path, packed=packed, known=known)
+            yield True
+
+        def done(_: bool) -> None:
+            self.documents.saved(study, path.absolute(), packed=packed)
+            self._session.notified.emit(f"Saved {path.name}.")
+            then()
+
+        def failed(error: Exception) -> None:
+            dialogs.tell(self._window, str(error))
+
+        self._session.jobs.start(Job(steps(), done, failed), urgent=True)
+
+    # -- work that is not saved
+
+    def may_close(self) -> bool:
+        """Whether the window may close now; else it asks, and closes after the answer."""
+        if self._may_close or self._session.meshes is None or not self.documents.is_modified:
+            return True
+        self._when_safe(self._close)
+        return False
+
+    def close(self) -> None:
+        """Forget the session: the window closes as it should."""
+        self.autosave.close()
+
+    def discard_changes(self) -> None:
+        """Let the window close without a question."""
+        self._may_close = True
+
+    def _close(self) -> None:
+        self._may_close = True
+        self._window.close()
+
+    def _when_safe(self, go: Callable[[], object]) -> None:
+        """Go on at once, or after asking what becomes of unsaved work."""
+        if self._session.meshes is None or not self.documents.is_modified:
+            go()
+            return
+        path = self.documents.current.path
+        name = path.name if path else f"the study of {self._session.meshes.name}"
+        box = self._question(f"Save the changes to {name}?", "Else they are lost.")
+        box.addButton(_Button.Save).clicked.connect(lambda: self.save(go))
+        box.addButton(_Button.Discard).clicked.connect(lambda *_: go())
+        box.addButton(_Button.Cancel)
+        box.setDefaultButton(_Button.Save)
+        box.open()
+
+    def _question(self, text: str, more: str) -> QMessageBox:
+        box = QMessageBox(QMessageBox.Icon.Question, "Burnish", text, parent=self._window)
+        box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        box.setInformativeText(more)
+        return box
+
+
+def dropped_file(data: QMimeData) -> str | None:
+    """Return the first model or study among what is dragged, None where there is none."""
+    names = [url.toLocalFile() for url in data.urls()]
+    allowed = (*SUPPORTED_READ, STUDY_SUFFIX)
+    return next((name for name in names if Path(name).suffix.lower() in allowed), None)

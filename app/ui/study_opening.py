@@ -1,0 +1,85 @@
+"""Opening a study file: its models are looked for, and asked for where they are not as saved."""
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QMessageBox
+
+from app.folders import cache_folder
+from app.session import Job
+from app.ui import dialogs
+from core.study import Study
+from core.study_files import ChangedModelError, MissingModelError, Role, StudyFile, StudyFileError
+
+if TYPE_CHECKING:
+    from app.ui.main_window import MainWindow
+
+_Role = QMessageBox.ButtonRole
+
+
+def unpacked_folder() -> Path:
+    """Folder that packed models are unpacked into."""
+    return cache_folder() / "unpacked"
+
+
+class StudyOpening:
+    """One study on its way into the window.
+
+    Parameters
+    ----------
+    window : MainWindow
+        Where to ask.
+    file : StudyFile
+        What was read.
+    use : callable
+        Gets the study when all its models are found.
+    """
+
+    def __init__(self, window: "MainWindow", file: StudyFile, use: Callable[[Study], None]) -> None:
+        self._window, self._file, self._use = window, file, use
+        self._chosen: dict[Role, str] = {}
+        self._accepted: set[Role] = set()
+
+    def start(self) -> None:
+        """Look for the models beside the window: comparing large files takes a while."""
+
+        def steps() -> Iterator[Study]:
+            yield self._file.locate(unpacked_folder(), chosen=self._chosen, accepted=self._accepted)
+
+        self._window.session.jobs.start(Job(steps(), self._use, self._failed), urgent=True)
+
+    def _failed(self, error: Exception) -> None:
+        if isinstance(error, MissingModelError | ChangedModelError):
+            self._ask(error)
+        elif isinstance(error, StudyFileError):
+            dialogs.tell(self._window, str(error))
+        else:
+            self._window.session.broken.emit(error)
+
+    def _ask(self, error: MissingModelError | ChangedModelError) -> None:
+        changed = isinstance(error, ChangedModelError)
+        box = QMessageBox(QMessageBox.Icon.Question, "Open study", str(error), parent=self._window)
+        box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        box.setInformativeText(
+            "With another model the study gives other numbers." if changed else "Where is it now?"
+        )
+        if changed:
+            anyway = box.addButton("Use it anyway", _Role.AcceptRole)
+            anyway.clicked.connect(lambda: self._accept(error.role))
+        choose = box.addButton("Choose a file…", _Role.ActionRole)
+        choose.clicked.connect(lambda: self._choose(error.role))
+        box.addButton(QMessageBox.StandardButton.Cancel)
+        box.open()
+
+    def _accept(self, role: Role) -> None:
+        self._accepted.add(role)
+        self.start()
+
+    def _choose(self, role: Role) -> None:
+        def use(path: Path) -> None:
+            self._chosen[role] = str(path)
+            self.start()
+
+        dialogs.ask_for_file(self._window, "Where is the model now?", use)

@@ -1,0 +1,51 @@
+"""How a study file names a model: by relative path, as a bundled one, or packed beside it."""
+
+import os
+from pathlib import Path
+from typing import Literal
+
+from core.study import SAMPLE_PREFIX
+
+Role = Literal["model", "noisy"]
+"""Which model of a study."""
+
+ROLES: tuple[Role, ...] = ("model", "noisy")
+PACKED_PREFIX = "packed:"
+
+_LONGEST = 4096
+
+
+def written_place(model: str, folder: Path) -> str:
+    """Return how a file in `folder` names a model: relative to the folder, with slashes."""
+    if model.startswith(SAMPLE_PREFIX):
+        return model
+    path = os.path.abspath(model)
+    try:
+        place = Path(os.path.relpath(path, folder.absolute())).as_posix()
+    except ValueError:  # another drive
+        return Path(path).as_posix()
+    return f"./{place}" if place.startswith((SAMPLE_PREFIX, PACKED_PREFIX)) else place
+
+
+def read_place(text: str, folder: Path) -> str:
+    """Return the model that a file in `folder` names: a path, or ``sample:ID``.
+
+    Raises
+    ------
+    ValueError
+        If the text is not the name of a file on this computer.
+    """
+    if text.startswith(SAMPLE_PREFIX):
+        return text
+    # A share on the network would be told who asks for it.
+    bad = not text or "\0" in text or len(text) > _LONGEST or text.startswith(("//", "\\\\"))
+    if bad:
+        raise ValueError(f"{text[:60]!r} is not the place of a model")
+    return os.path.normpath(folder.absolute() / text)
+
+
+def place_name(place: str) -> str:
+    """Return the file name of a place, or the id of a bundled model."""
+    return (
+        place.removeprefix(SAMPLE_PREFIX) if place.startswith(SAMPLE_PREFIX) else Path(place).name
+    )

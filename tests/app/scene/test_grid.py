@@ -1,0 +1,79 @@
+"""The grid of panes, drawn again and again."""
+
+import gc
+from collections import Counter
+
+import numpy as np
+import pytest
+import pyvista as pv
+
+from app.export.pictures import prefer_headless_graphics
+from app.scene.grid import CAPACITY, GRID_SHAPE, PaneGrid
+from app.scene.panes import Look, Pane
+from core.mesh import primitives
+
+BALL = primitives.sphere(3)
+POINTS = BALL.vertices.astype(np.float32)
+SIZE = (400, 300)
+
+
+@pytest.fixture
+def grid():
+    prefer_headless_graphics()
+    plotter = pv.Plotter(shape=GRID_SHAPE, border=False, off_screen=True, window_size=list(SIZE))
+    yield PaneGrid(plotter)
+    plotter.close()
+
+
+def panes(step, count=3):
+    values = np.full(len(POINTS), 0.01 * step)
+    return [
+        Pane(f"p{i}", "", "", "#009e73", POINTS * (1 + 0.001 * step), values) for i in range(count)
+    ]
+
+
+def census():
+    gc.collect()
+    return Counter(type(thing).__name__ for thing in gc.get_objects())
+
+
+def test_drawing_a_hundred_times_leaves_nothing_behind(grid):
+    def draw(step):
+        grid.show(panes(step), Look(BALL.faces, colour_title="x"), SIZE)
+        grid.plotter.render()
+
+    draw(0)
+    draw(1)
+    before = census()
+    for step in range(100):
+        draw(step)
+    grown = {name: n for name, n in (census() - before).items() if n >= 100}
+    assert not grown
+
+
+def test_more_panes_than_there_is_room_for_are_left_out(grid):
+    grid.show(panes(0, CAPACITY + 2), Look(BALL.faces), SIZE)
+    assert len(grid.viewports) == CAPACITY
+
+
+def test_other_faces_are_drawn_where_the_model_changes(grid):
+    grid.show(panes(0), Look(BALL.faces), SIZE)
+    torus = primitives.torus()
+    pane = Pane("p0", "", "", "#009e73", torus.vertices.astype(np.float32))
+    grid.show([pane], Look(torus.faces), SIZE)
+    grid.look_from("Top (+Y)")
+    grid.plotter.render()
+    assert list(grid.viewports) == ["p0"]
+
+
+def test_linking_takes_the_leaders_view(grid):
+    grid.show(panes(0), Look(BALL.faces), SIZE)
+    grid.look_from("Oblique")
+    before = grid.poses()[0]
+    grid.link(False)
+    assert set(grid.poses()) == {before}
+    grid.renderer("p1").GetActiveCamera().Azimuth(40)
+    leader = grid.poses()[1]
+    assert grid.poses()[0] == before
+    grid.link(True, "p1")
+    assert set(grid.poses()) == {leader}

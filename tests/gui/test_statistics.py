@@ -1,0 +1,287 @@
+"""The Statistics tab: what it computes and when, hovering, a second model, saving, mesh tools."""
+
+import pytest
+from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtGui import QGuiApplication, QMouseEvent
+
+from app.scene.colours import DARK, LIGHT
+from app.ui import statistics_tab, statistics_tools
+from app.ui.statistics_saving import copy_numbers, save_cell
+from app.ui.statistics_tab import StatisticsTab
+from core.io import save_mesh
+from core.mesh import primitives
+
+pytestmark = pytest.mark.gui
+
+
+def settle(qtbot, tab):
+    qtbot.waitUntil(lambda: bool(tab.work.series()) and tab.work.activity is None, timeout=60_000)
+    qtbot.waitUntil(lambda: all(drawn(plot, tab.work.series()) for plot in tab.plots.values()))
+    qtbot.wait(150)
+
+
+def drawn(plot, series):
+    """Whether a plot shows what is known, and its axes have found their places."""
+    same = plot._shown(plot.series) == plot._shown(series)
+    return same and not plot._redraw_soon.isActive() and plot._background is not None
+
+
+@pytest.fixture
+def tab(qtbot, session, shown):
+    tab = StatisticsTab(session, LIGHT)
+    shown(tab, 1280, 760)
+    settle(qtbot, tab)
+    yield tab
+    tab.close_graphics()
+
+
+@pytest.fixture
+def point_at(qtbot, tab):
+    """Move the pointer to a place on the scales of a plot's axes."""
+
+    def point(plot, x, y, *, beside=False):
+        cell = tab.plots[plot]
+        cell.canvas.draw()
+        axes = cell._axes.child_axes[0] if beside else cell._axes
+        px, py = axes.transData.transform((x, y))
+        ratio = cell.canvas.device_pixel_ratio
+        place = QPointF(px / ratio, cell.canvas.height() - py / ratio)
+        move(cell.canvas, place)
+        qtbot.wait(30)
+
+    return point
+
+
+def move(widget, place):
+    nothing, keys = Qt.MouseButton.NoButton, Qt.KeyboardModifier.NoModifier
+    where = QPointF(widget.mapToGlobal(place.toPoint()))
+    event = QMouseEvent(QEvent.Type.MouseMove, place, where, nothing, nothing, keys)
+    QGuiApplication.sendEvent(widget, event)
+
+
+def lit(tab):
+    """Number of vertices lit up on each model."""
+    masks = tab.view._masks or [None] * len(tab.work.models)
+    return [0 if mask is None else int(mask.sum()) for mask in masks]
+
+
+def test_nothing_is_computed_before_the_tab_is_shown(qtbot, session):
+    tab = StatisticsTab(session, LIGHT)
+    qtbot.addWidget(tab)
+    session.meshes_changed.emit()
+    qtbot.wait(400)
+    assert (tab.work.models, tab.work.series(), tab.work.activity) == ((), [], None)
+    tab.close_graphics()
+
+
+def test_all_five_plots_come(tab):
+    (series,) = tab.work.series()
+    assert series.spectrum.exact
+    assert series.geodesic.sources == 162
+    titles = [plot.spec.title for plot in tab.plots.values()]
+    assert titles == [
+        "Spectrum", "Vertex degree", "Assortativity", "Clustering", "Geodesic distance",
+    ]  # fmt: skip
+    for plot in tab.plots.values():
+        assert plot.isVisible()
+        assert len(plot.words.text()) > 40
+        assert plot._axes.get_xlabel()
+
+
+def test_summary_is_shown(tab):
+    texts = [tab.side._summary.itemAt(i).widget().text() for i in range(6)]
+    assert texts == ["Vertices", "162", "Edges", "480", "Faces", "320"]
+
+
+def test_hovering_a_degree_lights_its_vertices(tab, point_at):
+    point_at("degree", 5, 0.01)
+    assert lit(tab) == [12]
+    assert "degree 5: 12 vertices" in tab.plots["degree"].words.text()
+    point_at("clustering", 6, 0.4)
+    assert lit(tab) == [150]
+    assert "degree 6" not in tab.plots["degree"].words.text()
+    tab._on_pointed(None)
+    assert lit(tab) == [0]
+
+
+def test_hovering_the_histogram_beside_lights_its_vertices(tab, point_at):
+    point_at("clustering", 0.3, 0.499, beside=True)
+    assert lit(tab) == [12]
+    point_at("assortativity", 0.3, 5.999, beside=True)
+    assert 0 < lit(tab)[0] < 162
+
+
+def test_spectrum_is_read_off_without_lighting(tab, point_at):
+    point_at("spectrum", 0.5, 3)
+    assert lit(tab) == [0]
+    assert "% of the eigenvalues are above" in tab.plots["spectrum"].words.text()
+
+
+def test_picked_vertex_gives_distances(qtbot, tab, point_at):
+    point_at("geodesic", 4, 0.01)
+    assert "Click the model" in tab.plots["geodesic"].words.text()
+    tab._on_pointed(None)
+    tab._pick(0, 7)
+    qtbot.waitUntil(lambda: tab.work.distances(0) is not None)
+    assert tab.side.colour.currentData() == "distance"
+    assert tab.work.distances(0)[7] == 0
+    qtbot.wait(200)
+    assert lit(tab) == [1]
+    point_at("geodesic", 4, 0.01)
+    assert 0 < lit(tab)[0] < 162
+
+
+def test_a_click_on_the_model_picks_a_vertex(qtbot, tab):
+    view = tab.view.interactor
+    with qtbot.waitSignal(tab.view.picked) as picked:
+        qtbot.mouseClick(view, Qt.MouseButton.LeftButton, pos=view.rect().center())
+    assert picked.args[0] == 0
+    qtbot.waitUntil(lambda: tab.work.distances(0) is not None)
+
+
+@pytest.mark.parametrize("colour", ["degree", "assortativity", "clustering"])
+def test_model_is_coloured(qtbot, tab, colour):
+    tab.side.colour.setCurrentIndex(tab.side.colour.findData(colour))
+    qtbot.waitUntil(lambda: tab.view._look.colour_title != "")
+    assert len(tab.view._panes[0].pane.values) == 162
+
+
+def test_second_model_from_a_file(qtbot, tab, tmp_path):
+    path = tmp_path / "ring.ply"
+    save_mesh(primitives.torus(), path)
+    tab.second.choose(str(path))
+    qtbot.waitUntil(lambda: len(tab.work.models) == 2)
+    settle(qtbot, tab)
+    assert [one.name for one in tab.work.series()] == ["ball", "ring"]
+    assert tab.side.second.currentText() == "ring.ply"
+    for plot in tab.plots.values():
+        labels = [text.get_text() for text in plot._axes.get_legend().get_texts()]
+        assert labels == ["ball", "ring"]
+    tab.second.choose("none")
+    qtbot.waitUntil(lambda: len(tab.work.models) == 1)
+
+
+@pytest.mark.parametrize(("choice", "name"), [("noisy", "noisy"), ("method:mean", "k = 6")])
+def test_second_model_from_the_session(qtbot, tab, choice, name):
+    tab.second.choose(choice)
+    qtbot.waitUntil(lambda: len(tab.work.models) == 2)
+    settle(qtbot, tab)
+    first, second = tab.work.series()
+    assert name in second.name
+    # The connections are the same, so the spectrum is not computed again.
+    assert second.spectrum is first.spectrum
+    assert second.geodesic is not first.geodesic
+
+
+def test_second_model_that_is_not_there_is_told(qtbot, tab, monkeypatch):
+    told = []
+    monkeypatch.setattr(statistics_tab, "tell", lambda _, message: told.append(message))
+    tab.second.choose("gone.ply")
+    qtbot.waitUntil(lambda: bool(told))
+    assert "gone.ply" in told[0]
+    assert tab.second.chosen == "none"
+
+
+def test_parameters_start_another_measurement(qtbot, tab):
+    tab.side.geodesic.set_values({"along": "edges", "sources": 10})
+    tab.side.geodesic.changed.emit({})
+    tab.side.matrix.setCurrentIndex(1)
+    settle(qtbot, tab)
+    (series,) = tab.work.series()
+    assert (series.geodesic.params.along, series.geodesic.sources) == ("edges", 10)
+    assert series.spectrum.matrix == "normalized_laplacian"
+
+
+def test_results_are_kept(qtbot, tab):
+    before = tab.work.series()[0]
+    tab.side.matrix.setCurrentIndex(1)
+    settle(qtbot, tab)
+    tab.side.matrix.setCurrentIndex(0)
+    assert tab.work.series()[0].spectrum is before.spectrum
+    assert tab.work.activity is None
+
+
+def test_other_model_of_the_session_is_taken(qtbot, session, tab, tmp_path):
+    path = tmp_path / "torus.ply"
+    save_mesh(primitives.torus(), path)
+    session.apply(session.study.model_copy(update={"model": str(path)}), "Open")
+    qtbot.waitUntil(lambda: tab.work.models[0].name == "torus", timeout=20_000)
+    settle(qtbot, tab)
+    assert len(tab.work.series()[0].connectivity.degrees) == 288
+
+
+def test_cancel_and_go_on(qtbot, session, tab, tmp_path):
+    path = tmp_path / "large.ply"
+    save_mesh(primitives.sphere(5), path)
+    tab.second.choose(str(path))
+    qtbot.waitUntil(lambda: len(tab.work.models) == 2 and tab.work.activity is not None)
+    tab.side.stop.click()
+    qtbot.waitUntil(lambda: tab.work.activity is None, timeout=20_000)
+    assert tab.side.go_on.isVisible()
+    assert tab.work.cancelled
+    tab.side.go_on.click()
+    settle(qtbot, tab)
+    assert not tab.work.cancelled
+    assert tab.work.series()[1].geodesic.sources == 200
+
+
+def test_enlarge_and_back(qtbot, tab):
+    tab.plots["degree"].enlarge.click()
+    assert tab.plots["degree"].isVisible()
+    assert tab.view.isVisible()
+    assert not tab.plots["spectrum"].isVisible()
+    tab.plots["degree"].enlarge.click()
+    assert all(plot.isVisible() for plot in tab.plots.values())
+    assert not tab.matrix.isVisible()
+
+
+def test_matrix_beside_the_model(qtbot, tab, tmp_path):
+    tab.enlarge("matrix")
+    qtbot.waitUntil(lambda: "162 × 162, 1,122 entries" in tab.matrix.words.text())
+    assert tab.matrix.isVisible()
+    assert tab.view.isVisible()
+    for name in ("matrix.mtx", "matrix.npz", "matrix.png"):
+        save_cell(tab, "matrix", tmp_path / name)
+        assert (tmp_path / name).stat().st_size > 500
+
+
+@pytest.mark.parametrize("suffix", ["png", "svg", "pdf"])
+def test_plots_are_saved(tab, tmp_path, suffix):
+    for plot in tab.plots:
+        path = tmp_path / f"{plot}.{suffix}"
+        save_cell(tab, plot, path)
+        assert path.stat().st_size > 1000
+
+
+def test_numbers_are_copied(tab):
+    copy_numbers(tab, "degree")
+    lines = QGuiApplication.clipboard().text().splitlines()
+    assert lines[0] == "model\tdegree\tvertices\tshare"
+    assert lines[1].startswith("ball\t5\t12\t0.07407")
+
+
+def test_theme_reaches_the_plots(qtbot, tab):
+    tab.set_theme(DARK)
+    figure = tab.plots["degree"].canvas.figure
+    ground = tuple(int(DARK.panel[i : i + 2], 16) / 255 for i in (1, 3, 5))
+    qtbot.waitUntil(lambda: figure.get_facecolor()[:3] == pytest.approx(ground))
+
+
+def test_distances_as_share_of_the_longest(qtbot, tab):
+    tab.side.relative.setChecked(True)
+    axes = tab.plots["geodesic"]
+    qtbot.waitUntil(lambda: "longest" in axes._axes.get_xlabel())
+    assert axes._axes.get_xlim()[1] < 1.3
+
+
+def test_mesh_tools_are_undoable(qtbot, session, tab, tmp_path, monkeypatch):
+    monkeypatch.setattr(statistics_tools, "user_cache_path", lambda *_, **__: tmp_path)
+    statistics_tools.remesh(session, "barycentric")
+    qtbot.waitUntil(
+        lambda: session.meshes.name == "ball_barycentric.ply" and session.activity is None,
+        timeout=60_000,
+    )
+    assert len(session.meshes.comparison.original.faces) == 6 * 320
+    assert session.history.undo_name == "Barycentric subdivision (× 6)"
+    session.undo()
+    qtbot.waitUntil(lambda: session.meshes.name == "ball.ply", timeout=20_000)
