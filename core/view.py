@@ -42,6 +42,13 @@ class ViewSettings(Params):
     linked: bool = param(True, help="Move the cameras of all panes together.")
     cameras: tuple[NamedCamera, ...] = param((), help="Cameras that were saved by name.")
 
+    def coloured_by(self, metric: str) -> "ViewSettings":
+        """Return the settings with another metric; ends set by hand belong to the old one."""
+        update: dict[str, object] = {"colour": metric}
+        if metric != self.colour and self.colour_range == "manual":
+            update["colour_range"] = "percentile"
+        return self.model_copy(update=update)
+
     def with_camera(self, camera: NamedCamera) -> "ViewSettings":
         """Return the settings with a camera added, in place of one of the same name."""
         others = tuple(old for old in self.cameras if old.name != camera.name)

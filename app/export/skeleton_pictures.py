@@ -57,7 +57,7 @@ def turn_frames(
 ) -> Iterator[Picture]:
     """Yield `count` pictures of one full turn about the direction that is up."""
     with _studio(size) as grid:
-        grid.set_precise(False)
+        grid.set_precise(False, coarse=False)
         grid.show(panes, look, size)
         _aim(grid, pose, size)
         for _ in range(count):
@@ -74,7 +74,7 @@ def growth_frames(
     """Yield one picture for each band that the graphs grow, figure 5.4."""
     last = max(pane.skeleton.view.resolution for pane in panes if pane.skeleton)
     with _studio(size) as grid:
-        grid.set_precise(False)
+        grid.set_precise(False, coarse=False)
         for step in range(last + 1):
             grown = [replace(pane, step=step, picked=None, note="") for pane in panes]
             grid.show(grown, look, size)

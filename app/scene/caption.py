@@ -1,9 +1,12 @@
 """The two lines of text above a pane's mesh."""
 
+from functools import cache
 from pathlib import Path
 
 import matplotlib
+import numpy as np
 import pyvista as pv
+from PIL import ImageFont
 
 from app.scene.panes import Look, Pane
 
@@ -11,6 +14,8 @@ _WARNING = {True: "#ff8a7a", False: "#b3261e"}
 _TITLE_SIZE = 13
 _CAPTION_SIZE = 12
 _MARGIN = 8
+_MEASURED_SIZE = 100
+_SMALLEST = 0.66
 
 
 class Caption:
@@ -30,21 +35,29 @@ class Caption:
         renderer.RemoveViewProp(self._title)
         renderer.RemoveViewProp(self._caption)
 
-    def show(self, pane: Pane, look: Look, height: float, right: float | None = None) -> None:
+    def show(
+        self,
+        pane: Pane,
+        look: Look,
+        height: float,
+        right: float | None = None,
+        width: float | None = None,
+    ) -> None:
         """Write a pane's text.
 
         `height` is the height of its viewport in pixels; the text ends at `right`, or begins at
-        the left edge where that is None.
+        the left edge where that is None. Text that is wider than `width` is written smaller.
         """
         scale = look.text_scale
         top = height - _MARGIN * scale
         edge = _MARGIN * scale if right is None else right - _MARGIN * scale
-        self._place(self._title, top, int(_TITLE_SIZE * scale), edge)
+        room = np.inf if width is None else width - 2 * _MARGIN * scale
         below = top - (_TITLE_SIZE + 7) * scale
-        self._place(self._caption, below, int(_CAPTION_SIZE * scale), edge)
+        self._place(self._title, top, fitting(pane.title, _TITLE_SIZE * scale, room), edge)
+        size = fitting(pane.caption, _CAPTION_SIZE * scale, room)
+        self._place(self._caption, below, size, edge)
         for line in (self._title, self._caption):
-            justify = "left" if right is None else "right"
-            line.prop.justification_horizontal = justify
+            line.prop.justification_horizontal = "left" if right is None else "right"
         self._title.input = pane.title
         self._title.prop.SetColor(pv.Color(pane.colour).float_rgb)
         self._caption.input = pane.caption
@@ -57,6 +70,18 @@ class Caption:
         line.prop.SetFontSize(size)
 
 
+def fitting(text: str, size: float, room: float) -> int:
+    """Size of the letters at which a text fits into a width; never less than two thirds."""
+    wide = _measure().getlength(text) / _MEASURED_SIZE * size
+    return int(size * min(1.0, max(room / max(wide, 1e-9), _SMALLEST)))
+
+
+@cache
+def _measure() -> ImageFont.FreeTypeFont:
+    """The wider of the two fonts, large enough to measure any text by."""
+    return ImageFont.truetype(_font_file(bold=True), _MEASURED_SIZE)
+
+
 def text_line(size: int, *, bold: bool = False) -> pv.Text:
     """An empty line of text, hanging from its position."""
     line = pv.Text("", position=(0, 0))
@@ -67,9 +92,12 @@ def text_line(size: int, *, bold: bool = False) -> pv.Text:
 
 def text_style(size: int, *, bold: bool = False) -> pv.TextProperty:
     """Text in a font that has the signs of the field: VTK's own knows neither σ nor ℓ."""
+    return pv.TextProperty(font_file=_font_file(bold=bold), font_size=size)
+
+
+def _font_file(*, bold: bool) -> str:
     name = "DejaVuSans-Bold.ttf" if bold else "DejaVuSans.ttf"
-    font = Path(matplotlib.get_data_path()) / "fonts" / "ttf" / name
-    return pv.TextProperty(font_file=str(font), font_size=size)
+    return str(Path(matplotlib.get_data_path()) / "fonts" / "ttf" / name)
 
 
 def _line(size: int, *, bold: bool) -> pv.Text:

@@ -65,8 +65,8 @@ class PaneGrid:
         for (renderer, surface, caption), pane in zip(self._slots(), self._panes, strict=False):
             if pane.id in self.viewports:
                 surface.show(pane, look, cells, table)
-                height = self.viewports[pane.id].pixels(*size)[3]
-                caption.show(pane, look, height)
+                width, height = self.viewports[pane.id].pixels(*size)[2:]
+                caption.show(pane, look, height, width=width / (1 + bool(self.swipe)))
                 self._frame(renderer, look, selected=pane.id == look.selected)
         self._show_swipe(look, cells, table, size)
 
@@ -221,6 +221,7 @@ class PaneGrid:
 
     def _frame(self, renderer: pv.Renderer, look: Look, *, selected: bool) -> None:
         colour = look.theme.accent if selected else look.theme.faint
+        self._borders[renderer].SetVisibility(look.framed)
         line = self._borders[renderer].GetProperty()
         line.SetColor(pv.Color(colour).float_rgb)
         line.SetLineWidth((3 if selected else 1) * look.text_scale)

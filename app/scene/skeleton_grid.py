@@ -126,6 +126,7 @@ class SkeletonGrid:
             marked = index == look.selected and len(panes) > 1
             mark = look if look.selected is None else replace(look, selected=int(marked))
             new.append(self._slots[index].show(pane, mark, part))
+        self.set_precise(self.precise, coarse=self._coarse)
         return new
 
     def draw_only(self, panes: Sequence[bool] | None) -> None:
@@ -133,14 +134,18 @@ class SkeletonGrid:
         for slot, drawn in zip(self._slots, panes or [True] * len(self._slots), strict=False):
             slot.set_drawn(drawn)
 
-    def set_precise(self, precise: bool) -> None:
-        """Blend translucent layers one by one, by depth peeling, or all at once by weights.
+    def set_precise(self, precise: bool, *, coarse: bool = True) -> None:
+        """Choose between exact drawing and a fast one while something moves.
 
-        Neither depends on the order of the faces, so both are right from every side. Peeling has
-        the exact colours where many layers lie behind each other, weights are several times faster.
+        Translucent layers are blended one by one, by depth peeling, or all at once by weights.
+        Neither depends on the order of the faces, so both are right from every side; peeling has
+        the exact colours where many layers lie behind each other, weights are several times
+        faster. With `coarse`, large surfaces are drawn by a coarse copy meanwhile.
         """
+        self.precise, self._coarse = precise, coarse
         for slot in self._slots:
             slot.renderer.SetUseDepthPeeling(precise)
+            slot.surface.set_precise(precise or not coarse)
 
     def set_ground(self, bottom: str, top: str | None) -> None:
         """Colour the background, with a gradient if `top` is given."""

@@ -22,7 +22,7 @@ class BandedSurface:
     def __init__(self) -> None:
         self._mesh: TriangleMesh | None = None
         self._field: ScalarField | None = None
-        self._data = pv.PolyData()
+        self._data, self._sketch = pv.PolyData(), pv.PolyData()
         self._mapper = pv.DataSetMapper(self._data)
         self._mapper.interpolate_before_map = True
         self.table = pv.LookupTable()
@@ -38,9 +38,9 @@ class BandedSurface:
         if skeleton is None:
             return
         if self._mesh is not skeleton.mesh:
-            self._take_mesh(skeleton.mesh, pane.centre)
+            self._take_mesh(skeleton, pane.centre)
         if self._field is not skeleton.field:
-            self._take_field(skeleton.field)
+            self._take_field(skeleton)
         plain = not look.settings.show_bands
         colours = grown_colours(skeleton.view.resolution, pane.step, look.theme, plain=plain)
         self.table = band_table(skeleton.levels, colours)
@@ -48,19 +48,25 @@ class BandedSurface:
         self._mapper.scalar_range = (0.0, 1.0)
         self.actor.prop.opacity = look.settings.opacity
 
-    def _take_mesh(self, mesh: TriangleMesh, centre: FloatArray) -> None:
-        self._data = surface_data(mesh.vertices - centre, mesh.faces)
-        normals = shading_normals(mesh.vertices, mesh.faces)
-        self._data.point_data.active_normals = normals.astype(np.float32)
-        self._mapper.dataset = self._data
-        self._mesh, self._field = mesh, None
+    def set_precise(self, precise: bool) -> None:
+        """Draw the surface itself, or a coarse copy while something moves."""
+        self._mapper.SetInputData(self._data if precise else self._sketch)
 
-    def _take_field(self, field: ScalarField) -> None:
-        self._data.point_data.set_array(field.values.astype(np.float32), "field")
-        self._data.point_data.active_scalars_name = "field"
+    def _take_mesh(self, skeleton: Skeleton, centre: FloatArray) -> None:
+        self._data = smooth_data(skeleton.mesh, centre)
+        self._sketch = smooth_data(skeleton.sketch.mesh, centre) if skeleton.sketch else self._data
+        self._mapper.SetInputData(self._data)
+        self._mesh, self._field = skeleton.mesh, None
+
+    def _take_field(self, skeleton: Skeleton) -> None:
+        values = skeleton.field.values.astype(np.float32)
+        nearest = skeleton.sketch.nearest if skeleton.sketch else slice(None)
+        for data, shown in ((self._data, values), (self._sketch, values[nearest])):
+            data.point_data.set_array(shown, "field")
+            data.point_data.active_scalars_name = "field"
         self._mapper.scalar_visibility = True
         self._mapper.scalar_map_mode = "point"
-        self._field = field
+        self._field = skeleton.field
 
 
 class CurveActor:
@@ -128,6 +134,14 @@ def surface_data(points: FloatArray, faces: IntArray) -> pv.PolyData:
     data = pv.PolyData(points.astype(np.float32))
     data.SetVerts(None)
     data.SetPolys(pv.CellArray.from_regular_cells(faces))
+    return data
+
+
+def smooth_data(mesh: TriangleMesh, centre: FloatArray) -> pv.PolyData:
+    """A surface relative to a centre, with normals for smooth shading."""
+    data = surface_data(mesh.vertices - centre, mesh.faces)
+    normals = shading_normals(mesh.vertices, mesh.faces)
+    data.point_data.active_normals = normals.astype(np.float32)
     return data
 
 

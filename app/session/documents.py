@@ -20,7 +20,7 @@ class Document:
     packed : bool
         Whether the models are inside the file.
     saved : Study or None
-        The study as the file holds it; None where that is not known.
+        The study as the file holds it; without a file, as it was begun.
     """
 
     path: Path | None = None
@@ -28,12 +28,12 @@ class Document:
     saved: Study | None = None
 
     def differs(self, study: Study) -> bool:
-        """Whether a study holds work that the file does not.
+        """Whether a study holds work that is not saved.
 
-        Without a file, that is anything but another model or another way to look at it.
+        Without a file, another model or another way to look at it is no work.
         """
         if self.path is None:
-            return _work(study) != _work(Study())
+            return _work(study) != _work(self.saved or Study())
         return study != self.saved
 
 
@@ -71,7 +71,7 @@ class Documents:
     def open(self, study: Study, document: Document, step: str) -> None:
         """Make a study the current one as a named step; its document comes with it."""
         self._expected = study, document
-        if study == self._session.study:
+        if study == self._session.study and self._session.meshes is not None:
             self._adopt(self._session.study, document)
         else:
             self._session.apply(study, step)

@@ -3,8 +3,12 @@
 import time
 from collections import OrderedDict
 from collections.abc import Callable, Hashable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 
 from core.arrays import FloatArray
 from core.fields import ScalarField, scalar_field
@@ -26,6 +30,7 @@ from core.study import SkeletonView
 
 T = TypeVar("T")
 
+_SKETCH_FACES = 24_000
 _FEW = 6
 _MANY = 160
 
@@ -44,6 +49,22 @@ class SkeletonSource:
 
     key: str
     build: Callable[[], TriangleMesh]
+
+
+@dataclass(frozen=True, eq=False)
+class Sketch:
+    """A coarse copy of a large surface, to be drawn while something moves.
+
+    Attributes
+    ----------
+    mesh : TriangleMesh
+        The coarse surface.
+    nearest : (k,) int64 ndarray
+        Vertex of the full surface next to each of its vertices, which lends it its values.
+    """
+
+    mesh: TriangleMesh
+    nearest: NDArray[np.int64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,6 +89,8 @@ class Skeleton:
         Loops beside the genus, component by component.
     seconds : float
         Time from the field to the graph with its curves.
+    sketch : Sketch or None
+        Coarse copy of a large surface.
     """
 
     view: SkeletonView
@@ -78,6 +101,7 @@ class Skeleton:
     curves: LevelCurves
     checks: tuple[LoopCheck, ...]
     seconds: float
+    sketch: Sketch | None = None
 
     @property
     def genus(self) -> int | None:
@@ -110,6 +134,7 @@ class SkeletonMaker:
     def __init__(self) -> None:
         self._meshes = _Kept(_FEW)
         self._surfaces = _Kept(_FEW)
+        self._sketches = _Kept(_FEW)
         self._fields = _Kept(_FEW)
         self._rules = _Kept(_FEW)
         self._graphs = _Kept(_MANY)
@@ -128,9 +153,12 @@ class SkeletonMaker:
             (key, view.spacing), lambda: level_rule(mesh, field, view.spacing)
         )
         surfaces = self._component_surfaces(source, view)
+        sketch = self._sketches.get(_mesh_key(source, view), lambda: sketch_of(mesh))
         return self._graphs.get(
             (key, view.model_dump_json()),
-            lambda: _draw(view, mesh, field, rule(view.resolution), surfaces),
+            lambda: replace(
+                _draw(view, mesh, field, rule(view.resolution), surfaces), sketch=sketch
+            ),
         )
 
     def mesh(self, source: SkeletonSource, view: SkeletonView) -> TriangleMesh:
@@ -149,6 +177,16 @@ class SkeletonMaker:
     ) -> tuple[ComponentSurface, ...]:
         mesh = self.mesh(source, view)
         return self._surfaces.get(mesh.topology, lambda: component_surfaces(mesh))
+
+
+def sketch_of(mesh: TriangleMesh) -> Sketch | None:
+    """Make the coarse copy of a large surface; a small one needs none."""
+    share = _SKETCH_FACES / max(len(mesh.faces), 1)
+    if share >= 1:
+        return None
+    coarse = decimated(mesh, share)
+    nearest = np.asarray(cKDTree(mesh.vertices).query(coarse.vertices)[1], np.int64)
+    return Sketch(coarse, nearest)
 
 
 def _draw(

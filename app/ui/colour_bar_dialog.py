@@ -48,7 +48,7 @@ class ColourBarDialog(QDialog):
         self.setWindowTitle("Colour bar")
         self._window = window
         metrics = {id_: spec.heat_title for id_, spec in METRICS.items()}
-        self.metric = _combo({"none": "Nothing", **metrics})
+        self.metric_box = _combo({"none": "Nothing", **metrics})
         self.range = _combo(_RANGES)
         self.low, self.high = _number("Lower end"), _number("Upper end")
         maps = {name: _NAMES.get(name, name.capitalize()) for name in get_args(ColourMap)}
@@ -72,7 +72,7 @@ class ColourBarDialog(QDialog):
     def refresh(self, *_: object) -> None:
         """Show the study."""
         view = self._view()
-        boxes = {self.metric: view.colour, self.range: view.colour_range, self.map: view.colour_map}
+        boxes = {self.metric_box: view.colour, self.range: view.colour_range, self.map: view.colour_map}
         for box, value in boxes.items():
             box.setCurrentIndex(box.findData(value))
         for check, on in ((self.reversed, view.colour_reversed), (self.histogram, view.histogram)):
@@ -92,7 +92,7 @@ class ColourBarDialog(QDialog):
         ends.addWidget(QLabel("to"))
         ends.addWidget(self.high, 1)
         form = QFormLayout(self)
-        form.addRow("Colour &by", self.metric)
+        form.addRow("Colour &by", self.metric_box)
         form.addRow("&Range", self.range)
         form.addRow("", ends)
         form.addRow("&Colours", self.map)
@@ -102,7 +102,7 @@ class ColourBarDialog(QDialog):
         buttons.rejected.connect(self.reject)
         form.addRow(buttons)
         tips = {
-            self.metric: "colour", self.range: "colour_range", self.low: "colour_low",
+            self.metric_box: "colour", self.range: "colour_range", self.low: "colour_low",
             self.high: "colour_high", self.map: "colour_map", self.reversed: "colour_reversed",
             self.histogram: "histogram",
         }  # fmt: skip
@@ -110,10 +110,8 @@ class ColourBarDialog(QDialog):
             widget.setToolTip(_HELP[name])
 
     def _connect(self) -> None:
-        for box, name in ((self.metric, "colour"), (self.map, "colour_map")):
-            box.activated.connect(
-                lambda _, box=box, name=name: self._change(**{name: box.currentData()})
-            )
+        self.metric_box.activated.connect(self._choose_metric)
+        self.map.activated.connect(lambda _: self._change(colour_map=self.map.currentData()))
         self.range.activated.connect(self._choose_range)
         for number in (self.low, self.high):
             number.valueChanged.connect(self._set_ends)
@@ -125,6 +123,10 @@ class ColourBarDialog(QDialog):
     def done(self, result: int) -> None:
         self._window.session.study_changed.disconnect(self.refresh)
         super().done(result)
+
+    def _choose_metric(self) -> None:
+        view = self._view().coloured_by(self.metric_box.currentData())
+        self._window.change_view("Colour by", view)
 
     def _choose_range(self) -> None:
         """Start from the ends that are shown, so that nothing jumps."""

@@ -157,6 +157,8 @@ class DenoiseTab(QMainWindow):
         self._soon()
 
     def _on_study_changed(self, study: object, before: object) -> None:
+        if study.model_copy(update={"skeleton": before.skeleton}) == before:
+            return
         self._fresh_model |= study.model != before.model
         self._soon()
 

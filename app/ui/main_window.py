@@ -18,7 +18,10 @@ from app.session import Session
 from app.ui import dialogs, saving
 from app.ui.actions import TOOLBAR, ActionBook, escaped
 from app.ui.denoise_tab import DenoiseTab
+from app.ui.faults import FaultReports, show_log
 from app.ui.help import show_about, show_errata, show_methods
+from app.ui.preferences import open_preferences
+from app.ui.preferences_general import kept_budget
 from app.ui.skeleton_export import ask_for_picture
 from app.ui.skeleton_tab import SkeletonTab
 from app.ui.statistics_tab import StatisticsTab
@@ -54,6 +57,7 @@ class MainWindow(QMainWindow):
         self.tabs.addTab(self.statistics, "Statistics")
         self.setCentralWidget(self.tabs)
         self.files = StudyFiles(self)
+        self.faults = FaultReports(self)
         self.view_commands = ViewCommands(self)
         self.actions_ = ActionBook(self, self._handlers())
         self._fill_menus()
@@ -101,6 +105,8 @@ class MainWindow(QMainWindow):
         viewport, session = self.denoise.viewport, self.session
         return {
             **self.files.handlers(),
+            "preferences": lambda: open_preferences(self),
+            "log": show_log,
             **self.view_commands.handlers(),
             "open_noisy": self._ask_for_noisy,
             "save_mesh": lambda: saving.ask_for_mesh(self),
@@ -132,6 +138,7 @@ class MainWindow(QMainWindow):
         session.study_changed.connect(lambda *_: self._update_title())
         session.activity_changed.connect(self._update_actions)
         session.failed.connect(lambda message: dialogs.tell(self, message))
+        session.broken.connect(self.faults.report)
         self.denoise.viewport.box_zoom_ended.connect(
             lambda: self.actions_["box_zoom"].setChecked(False)
         )
@@ -146,6 +153,7 @@ class MainWindow(QMainWindow):
             action.triggered.connect(lambda *_, id_=sample.id: self.open_model(SAMPLE_PREFIX + id_))
         file_menu = self.actions_.menu("File")
         file_menu.insertMenu(self.actions_["open_noisy"], samples)
+        file_menu.insertMenu(self.actions_["gallery"], self.files.recent.menu)
         self._samples = samples
         view = self.actions_.menu("View")
         view.addSeparator()
@@ -195,7 +203,7 @@ class MainWindow(QMainWindow):
         self.change_view(step, self.session.study.view.model_copy(update={name: value}))
 
     def _set_colour(self, metric: str, *_: object) -> None:
-        self._set_view("colour", "Colour by", metric)
+        self.change_view("Colour by", self.session.study.view.coloured_by(metric))
 
     @staticmethod
     def _colour_names() -> dict[str, str]:
@@ -273,8 +281,14 @@ class MainWindow(QMainWindow):
         self.skeleton.set_theme(current_theme())
         self.statistics.set_theme(current_theme())
 
-    def _restore(self) -> None:
+    def apply_preferences(self) -> None:
+        """Take on what is kept of the preferences."""
         self._set_mode(str(QSettings().value(_MODE, "system")))
+        self.session.set_budget(kept_budget())
+        self.view_commands.shortcuts.load()
+
+    def _restore(self) -> None:
+        self.apply_preferences()
         geometry = QSettings().value(_GEOMETRY)
         if geometry is None or not self.restoreGeometry(geometry):
             available = QGuiApplication.primaryScreen().availableSize()

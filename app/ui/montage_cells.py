@@ -27,6 +27,7 @@ class CellList(QListWidget):
         self.setDragDropMode(QAbstractItemView.DragDropMode.InternalMove)
         self.setDefaultDropAction(Qt.DropAction.MoveAction)
         self.setAccessibleName("Panes of the figure")
+        self.setSpacing(2)
         for pane in panes:
             item = QListWidgetItem(pane.title, self)
             item.setData(_ID, pane.id)

@@ -5,6 +5,7 @@ from typing import Any
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTabWidget, QVBoxLayout, QWidget
 
+from app.ui.preferences_general import GeneralPage
 from app.ui.shortcut_sheet import ShortcutPage
 
 
@@ -40,6 +41,7 @@ class PreferencesDialog(QDialog):
 
 def open_preferences(window: Any, page: str = "") -> PreferencesDialog:
     """Open the preferences of a window at a page."""
-    dialog = PreferencesDialog(window, [ShortcutPage(window.view_commands.shortcuts)], page)
+    pages = [GeneralPage(window), ShortcutPage(window.view_commands.shortcuts)]
+    dialog = PreferencesDialog(window, pages, page)
     dialog.open()
     return dialog

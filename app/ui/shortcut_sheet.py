@@ -52,6 +52,7 @@ class ShortcutTable(QWidget):
         self.search.setClearButtonEnabled(True)
         self.tree = QTreeWidget(columnCount=2, rootIsDecorated=False, uniformRowHeights=True)
         self.tree.setHeaderLabels(["Command", "Key"])
+        self.tree.setStyleSheet("QTreeView::item { padding: 2px 8px 2px 0; }")
         self.tree.header().setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         self.tree.header().setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
         self.tree.header().setStretchLastSection(False)

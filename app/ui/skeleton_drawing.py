@@ -43,7 +43,13 @@ class FlatDrawing(QWidget):
 
     def show_pane(self, pane: SkeletonPane, look: SkeletonLook) -> None:
         """Draw the graph of a pane."""
+        known = self._pane
+        same = known and (known.skeleton, known.step, known.picked, self._look) == (
+            pane.skeleton, pane.step, pane.picked, look
+        )  # fmt: skip
         self._pane, self._look = pane, look
+        if same:
+            return
         if pane.skeleton is not None and pane.skeleton is not self._placed:
             self._placed = pane.skeleton
             self._flat = flat_places(pane.skeleton.graph)

@@ -95,8 +95,9 @@ class SkeletonTab(QMainWindow):
         self._redraw_timer.start()
 
     def save_layout(self) -> None:
-        """Remember where the panels are."""
-        QSettings().setValue(_LAYOUT, self.saveState())
+        """Remember where the panels are, if they have ever been shown."""
+        if self._laid_out:
+            QSettings().setValue(_LAYOUT, self.saveState())
 
     def close_graphics(self) -> None:
         """Release the graphics before the window goes."""
@@ -156,6 +157,7 @@ class SkeletonTab(QMainWindow):
 
     def _on_checked(self, _: int, report: InvarianceReport) -> None:
         self.side.facts.show_outcome(report.text)
+        self.session.notified.emit(report.text)
 
     def _check(self) -> None:
         self.views.check_invariance(self.selected, random.randrange(_SEEDS))

@@ -1,5 +1,6 @@
 """The drawing area of the Skeleton tab: a click picks a node and selects its view."""
 
+import time
 from operator import or_
 
 from PySide6.QtCore import QEvent, QPoint, QSize, Qt, QTimer, Signal
@@ -13,6 +14,8 @@ from app.ui.interactor import Interactor
 
 _CLICK_PIXELS = 4
 _REST_MS = 300
+_SLOW_SECONDS = 0.35
+_TRIALS = 2
 
 
 class SkeletonViewport(QWidget):
@@ -37,6 +40,8 @@ class SkeletonViewport(QWidget):
         self._look: SkeletonLook | None = None
         self._pressed: QPoint | None = None
         self._changed: list[bool] | None = None
+        self._started = 0.0
+        self._peelings: list[float] = []
         self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
         self._rest.timeout.connect(self._draw_precisely)
         window = self.interactor.render_window
@@ -113,10 +118,13 @@ class SkeletonViewport(QWidget):
         """Draw only what is new: while one view's R is dragged, the other keeps its pixels."""
         self.grid.draw_only(self._changed if self._changed and any(self._changed) else None)
         self.grid.fit_clipping()
+        self._started = time.perf_counter()
 
     def _after_drawing(self, *_: object) -> None:
         self._changed = None
         self.grid.draw_only(None)
+        if self.grid.precise:
+            self._peelings.append(time.perf_counter() - self._started)
 
     def _move(self) -> None:
         """Draw everything, since the camera moves."""
@@ -129,11 +137,13 @@ class SkeletonViewport(QWidget):
         self._rest.start()
 
     def _draw_precisely(self) -> None:
+        """Draw as exactly as the machine can without making the window wait."""
         if QGuiApplication.mouseButtons() != Qt.MouseButton.NoButton:
             self._rest.start()
             return
         self._changed = None
-        self.grid.set_precise(True)
+        fast = len(self._peelings) < _TRIALS or min(self._peelings) < _SLOW_SECONDS
+        self.grid.set_precise(fast, coarse=False)
         self.interactor.update()
 
     def _redraw(self) -> None:

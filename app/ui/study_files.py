@@ -7,14 +7,20 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QMimeData, Qt
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QMessageBox
 
+from app.export.study_script import script_of
 from app.folders import state_folder
 from app.session import Job
 from app.session.documents import Document, Documents
+from app.study_words import command_of
 from app.ui import dialogs
 from app.ui.autosave import Autosave, Leftover, leftovers
+from app.ui.gallery import GalleryDialog
+from app.ui.recent import RecentFiles
 from app.ui.study_opening import StudyOpening
+from app.ui.thumbnails import Thumbnailer
 from core.io import SUPPORTED_READ
 from core.study import SAMPLE_PREFIX, Study
 from core.study_files import (
@@ -45,7 +51,10 @@ class StudyFiles:
         self._window, self._session = window, window.session
         self.documents = Documents(window.session)
         self.autosave = Autosave(window.session, self.documents, state_folder() / "sessions")
+        self.recent = RecentFiles(self.open, window)
+        self._thumbnailer = Thumbnailer(window.session, self.documents)
         self._may_close = False
+        self.documents.changed.connect(self._remember)
 
     def handlers(self) -> dict[str, Callable[[], object]]:
         """Return what the commands of this module do, by id."""
@@ -55,6 +64,9 @@ class StudyFiles:
             "save_study": self.save,
             "save_study_as": self.save_as,
             "save_packed": partial(self.save_as, packed=True),
+            "gallery": lambda: GalleryDialog(self._window).open(),
+            "copy_command": lambda: self._copy(command_of, "command line"),
+            "copy_script": lambda: self._copy(script_of, "Python script"),
         }
 
     @property
@@ -66,6 +78,10 @@ class StudyFiles:
         star = "*" if self.documents.is_modified else ""
         names = [f"{path.name}{star}", meshes.name] if path else [f"{meshes.name}{star}"]
         return " – ".join([*names, "Burnish"])
+
+    def _copy(self, describe: Callable[[Study], str], name: str) -> None:
+        QGuiApplication.clipboard().setText(describe(self._session.study))
+        self._session.notified.emit(f"Copied the study as a {name}.")
 
     # -- opening
 
@@ -114,10 +130,18 @@ class StudyFiles:
         later.clicked.connect(leftover.lock.unlock)
         box.open()
 
+    def _remember(self) -> None:
+        """Put what is open first in the list of recent files."""
+        path = self.documents.current.path
+        model = self._session.study.model
+        if path or not model.startswith(SAMPLE_PREFIX):
+            self.recent.add(str(path or model))
+
     def _open_model(self, model: str) -> None:
         name = model.removeprefix(SAMPLE_PREFIX)
         study = self._session.study.model_copy(update={"model": model, "noisy": None})
-        self.documents.open(study, Document(), f"Open {Path(name).name}")
+        begun = self.documents.current if self.documents.is_modified else Document(saved=study)
+        self.documents.open(study, Document(saved=begun.saved), f"Open {Path(name).name}")
 
     def _open_study(self, path: Path) -> None:
         try:
@@ -194,6 +218,7 @@ class StudyFiles:
     def close(self) -> None:
         """Forget the session: the window closes as it should."""
         self.autosave.close()
+        self._thumbnailer.close()
 
     def discard_changes(self) -> None:
         """Let the window close without a question."""

@@ -66,6 +66,7 @@ class ViewCommands(QObject):
         self.probe = ValueProbe(window.denoise.viewport)
         self.probe.changed.connect(window.statusBar().show_place)
         self._compare_with = book.menu("View/Co&mpare Panes").addMenu("&With")
+        self._compare_group = QActionGroup(self._compare_with)
         self._camera_menu = book.menu("View/&Cameras")
         self._panels = book.menu("View/P&anels")
         self._panels.aboutToShow.connect(self._fill_panels)
@@ -90,13 +91,12 @@ class ViewCommands(QObject):
         """Offer every pane as the one to compare with."""
         menu: QMenu = self._compare_with
         menu.clear()
-        group = QActionGroup(menu)
         chosen = self._window.session.study.view.compare_with
         for pane in self._window.denoise.panes()[0]:
             action = menu.addAction(pane.title)
             action.setCheckable(True)
             action.setChecked(pane.id == chosen)
-            group.addAction(action)
+            self._compare_group.addAction(action)
             action.triggered.connect(lambda *_, id_=pane.id: self._compare(id_))
 
     def _fill_panels(self) -> None:
@@ -121,8 +121,7 @@ class ViewCommands(QObject):
         self.swipe.set_on(on)
 
     def _show_difference(self, on: bool) -> None:
-        colour = _HEAT_MAP if on else "none"
-        view = self._window.session.study.view.model_copy(update={"colour": colour})
+        view = self._window.session.study.view.coloured_by(_HEAT_MAP if on else "none")
         self._window.change_view("Colour by", view)
 
     def _show_shortcuts(self) -> None:

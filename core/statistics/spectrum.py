@@ -45,7 +45,7 @@ class SpectrumParams(Params):
         help="Chebyshev moments of the approximation; more is sharper and slower.",
     )
     extremes: int = param(
-        20, low=1, high=200, step=1, help="Eigenvalues at each end that are computed exactly."
+        12, low=1, high=200, step=1, help="Eigenvalues at each end that are computed exactly."
     )
     seed: int = param(0, low=0, high=2**31 - 1, step=1, help="Seed of the random vectors.")
 

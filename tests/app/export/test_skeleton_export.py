@@ -1,6 +1,7 @@
 """Pictures and films of skeletal graphs, and the report of the command line."""
 
 import json
+from itertools import pairwise
 
 import imageio.v2 as imageio
 import numpy as np
@@ -64,7 +65,7 @@ def test_a_turn_changes_from_frame_to_frame(pane):
 def test_a_growth_has_a_frame_for_each_band_and_one_before(pane):
     frames = list(growth_frames([pane], LOOK, None, SIZE))
     assert len(frames) == 6
-    assert all((a != b).any() for a, b in zip(frames, frames[1:], strict=False))
+    assert all((a != b).any() for a, b in pairwise(frames))
 
 
 @pytest.mark.parametrize("suffix", [".gif", ".mp4"])

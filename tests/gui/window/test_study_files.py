@@ -55,6 +55,8 @@ def saved(user, ball_file, tmp_path):
 
 
 def open_study(user, path):
+    user.window.activateWindow()
+    user.wait(user.window.isActiveWindow)
     user.press(Qt.Key.Key_O, CONTROL)
     user.answer_file_dialog(path)
 
@@ -103,7 +105,7 @@ def test_undo_across_an_opening_brings_the_other_file_back(user, saved, tmp_path
 
 
 def test_a_missing_model_is_asked_for(user, saved, ball_file, tmp_path):
-    user.open_sample = user.window.open_model("sample:double_torus")
+    user.window.open_model("sample:double_torus")
     user.wait(lambda: user.window.windowTitle().startswith("double_torus"))
     moved = tmp_path / "moved.ply"
     ball_file.rename(moved)

@@ -1,0 +1,161 @@
+"""The gallery: bundled models, and PyVista's to download."""
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+import qtawesome
+from PySide6.QtCore import QSettings, QSize, Qt
+from PySide6.QtGui import QIcon, QPalette
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QLabel,
+    QListView,
+    QListWidget,
+    QListWidgetItem,
+    QProgressBar,
+    QVBoxLayout,
+)
+
+from app.ui.controls import Coalesced, FaintLabel
+from app.ui.downloads import EXAMPLES, DownloadError, download_beside
+from app.ui.tasks import Poster
+from app.ui.thumbnails import draw_thumbnail, thumbnail
+from core.io import bundled_samples, load_sample
+from core.study import SAMPLE_PREFIX
+
+if TYPE_CHECKING:
+    from app.ui.main_window import MainWindow
+
+_EXAMPLE = "example:"
+_PLACES = "downloaded"
+_PICTURE = QSize(112, 84)
+_CELL = QSize(132, 118)
+_PAUSE_MS = 30
+
+
+class GalleryDialog(QDialog):
+    """Shows models to open; a download runs beside the window, and goes on when this closes.
+
+    Parameters
+    ----------
+    window : MainWindow
+        Opens what is chosen.
+    """
+
+    def __init__(self, window: "MainWindow") -> None:
+        super().__init__(window)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setWindowTitle("Gallery")
+        self.resize(760, 600)
+        self._window = window
+        self._poster = Poster(window)
+        self._alive = True
+        self.bundled = self._list({SAMPLE_PREFIX + s.id: s.title for s in bundled_samples()})
+        self.examples = self._list({_EXAMPLE + id_: name for id_, name in EXAMPLES.items()})
+        self.message = FaintLabel("Models of pyvista.examples are downloaded once, then kept.")
+        self.progress = QProgressBar(maximum=0, textVisible=False, visible=False)
+        self.progress.setFixedHeight(8)
+        self._lay_out()
+        self.finished.connect(self._leave)
+        items = [self.bundled.item(row) for row in range(self.bundled.count())]
+        self._undrawn = [i for i in items if _picture(i.data(Qt.ItemDataRole.UserRole)) is None]
+        # One picture at a time, so that the dialog answers meanwhile.
+        self._draw_soon = Coalesced(self._draw_next, _PAUSE_MS, self)
+        self._draw_soon.request()
+
+    def _list(self, entries: dict[str, str]) -> QListWidget:
+        shown = QListWidget(
+            viewMode=QListView.ViewMode.IconMode, movement=QListView.Movement.Static
+        )
+        shown.setResizeMode(QListView.ResizeMode.Adjust)
+        shown.setIconSize(_PICTURE)
+        shown.setGridSize(_CELL)
+        ink = self.palette().color(QPalette.ColorRole.PlaceholderText)
+        blank = qtawesome.icon("mdi6.cube-outline", color=ink)
+        for model, title in entries.items():
+            item = QListWidgetItem(_picture(model) or blank, title, shown)
+            item.setData(Qt.ItemDataRole.UserRole, model)
+        shown.itemActivated.connect(self._choose)
+        shown.currentItemChanged.connect(lambda item, _: self._deselect_other(shown, item))
+        return shown
+
+    def _lay_out(self) -> None:
+        self.buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Open | QDialogButtonBox.StandardButton.Close
+        )
+        self.buttons.accepted.connect(self._choose_current)
+        self.buttons.rejected.connect(self.reject)
+        rows = self.bundled.count() * _CELL.width() // (self.width() - 40) + 1
+        self.bundled.setFixedHeight(rows * _CELL.height() + 8)
+        layout = QVBoxLayout(self)
+        layout.addWidget(QLabel("<b>Bundled with Burnish</b>"))
+        layout.addWidget(self.bundled)
+        layout.addWidget(QLabel("<b>From pyvista.examples</b>"))
+        layout.addWidget(self.examples, 1)
+        for widget in (self.message, self.progress, self.buttons):
+            layout.addWidget(widget)
+
+    def _deselect_other(self, shown: QListWidget, item: QListWidgetItem | None) -> None:
+        other = self.examples if shown is self.bundled else self.bundled
+        if item is not None:
+            other.setCurrentItem(None)
+
+    def _choose_current(self) -> None:
+        item = self.bundled.currentItem() or self.examples.currentItem()
+        if item is not None:
+            self._choose(item)
+
+    def _choose(self, item: QListWidgetItem) -> None:
+        model = item.data(Qt.ItemDataRole.UserRole)
+        if model.startswith(SAMPLE_PREFIX):
+            self._open(model)
+            return
+        self.message.setText(f"Downloading {item.text()} …")
+        self._set_busy(True)
+        example = model.removeprefix(_EXAMPLE)
+        done = partial(self._downloaded, model)
+        download_beside(self._poster, example, done, self._failed)
+
+    def _downloaded(self, model: str, path: str) -> None:
+        """Open a model that has come, unless the dialog was left meanwhile."""
+        QSettings().setValue(f"{_PLACES}/{model}", path)
+        if self._alive:
+            self._open(path)
+        else:
+            self._window.session.notified.emit(f"Downloaded to {path}.")
+
+    def _failed(self, error: DownloadError) -> None:
+        if self._alive:
+            self._set_busy(False)
+            self.message.setText(str(error))
+        else:
+            self._window.session.notified.emit(str(error))
+
+    def _set_busy(self, busy: bool) -> None:
+        self.progress.setVisible(busy)
+        self.buttons.button(QDialogButtonBox.StandardButton.Open).setDisabled(busy)
+        self.examples.setDisabled(busy)
+
+    def _open(self, model: str) -> None:
+        self.accept()
+        self._window.files.open(model)
+
+    def _leave(self, _: int) -> None:
+        self._alive = False
+
+    def _draw_next(self) -> None:
+        """Draw the next bundled model that has no picture yet."""
+        if not self._undrawn:
+            return
+        item = self._undrawn.pop()
+        model = item.data(Qt.ItemDataRole.UserRole)
+        draw_thumbnail(load_sample(model.removeprefix(SAMPLE_PREFIX)), [thumbnail(model)])
+        item.setIcon(_picture(model) or item.icon())
+        self._draw_soon.request()
+
+
+def _picture(model: str) -> QIcon | None:
+    """Picture of a model; an example that was downloaded has it under its path."""
+    file = thumbnail(str(QSettings().value(f"{_PLACES}/{model}", model)))
+    return QIcon(str(file)) if file.exists() else None

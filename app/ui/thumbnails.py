@@ -1,0 +1,82 @@
+"""Small pictures of models, drawn when the window is idle and kept in the cache."""
+
+import hashlib
+import logging
+from pathlib import Path
+
+from PySide6.QtCore import QObject, QTimer
+
+from app.export.pictures import PictureError, grid_picture, save_picture
+from app.folders import cache_folder
+from app.scene.panes import Look, Pane
+from app.session import Session
+from app.session.documents import Documents
+from core.mesh import TriangleMesh
+
+logger = logging.getLogger(__name__)
+
+_SIZE = (192, 144)
+_IDLE_MS = 1500
+_MOST_FACES = 400_000
+
+
+def thumbnail(model: str) -> Path:
+    """Return where the picture of a model, a study or ``sample:ID`` is kept."""
+    name = hashlib.sha256(model.encode()).hexdigest()[:32]
+    return cache_folder() / "thumbnails" / f"{name}.png"
+
+
+def draw_thumbnail(mesh: TriangleMesh, files: list[Path]) -> None:
+    """Draw a mesh into files; what cannot be written is left out."""
+    points = (mesh.vertices - mesh.vertices.mean(axis=0)).astype("float32")
+    pane = Pane("original", "", "", "#808080", points)
+    picture = grid_picture([pane], Look(mesh.faces), None, _SIZE, transparent=True)
+    for file in files:
+        try:
+            file.parent.mkdir(parents=True, exist_ok=True)
+            save_picture(picture, file)
+        except (OSError, PictureError) as error:
+            logger.warning("no thumbnail: %s", error)
+
+
+class Thumbnailer(QObject):
+    """Draws the model that is open, once, when nothing else is to do.
+
+    Parameters
+    ----------
+    session : Session
+        Whose model is drawn.
+    documents : Documents
+        A study gets the picture of its model.
+    """
+
+    def __init__(self, session: Session, documents: Documents) -> None:
+        super().__init__()
+        self._session, self._documents = session, documents
+        self._drawn: set[Path] = set()
+        self._timer = QTimer(self, singleShot=True, interval=_IDLE_MS)
+        self._timer.timeout.connect(self._draw)
+        session.activity_changed.connect(self._wait)
+        documents.changed.connect(self._wait)
+
+    def close(self) -> None:
+        """Draw nothing more."""
+        self._timer.stop()
+
+    def _wait(self) -> None:
+        if self._session.meshes is not None and self._missing():
+            self._timer.start()
+
+    def _missing(self) -> list[Path]:
+        document = self._documents.current.path
+        names = [self._session.study.model, *([str(document)] if document else [])]
+        return [file for file in map(thumbnail, names) if file not in self._drawn]
+
+    def _draw(self) -> None:
+        meshes, missing = self._session.meshes, self._missing()
+        if meshes is None or self._session.activity is not None or not missing:
+            return
+        self._drawn.update(missing)
+        mesh = meshes.comparison.original
+        if len(mesh.faces) <= _MOST_FACES:
+            draw_thumbnail(mesh, missing)
