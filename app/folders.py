@@ -7,14 +7,19 @@ from platformdirs import PlatformDirs
 _DIRS = PlatformDirs("burnish", appauthor=False)
 
 
-def state_folder() -> Path:
-    """Folder for what is kept of a session while it runs."""
-    return _DIRS.user_state_path
+def sessions_folder() -> Path:
+    """Folder for what is kept of each window while it runs."""
+    return _DIRS.user_state_path / "sessions"
 
 
 def cache_folder() -> Path:
     """Folder for what can be made again: thumbnails, unpacked models."""
     return _DIRS.user_cache_path
+
+
+def unpacked_folder() -> Path:
+    """Folder that the models of packed studies are unpacked into."""
+    return cache_folder() / "unpacked"
 
 
 def log_folder() -> Path:

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from app.folders import cache_folder
+from app.folders import unpacked_folder
 from app.usage import UsageError
 from core.noise import NoiseParams
 from core.parameters import build_params
@@ -85,7 +85,7 @@ def _study_in(file: Path, model: str | None, noisy: str | None) -> Study:
     chosen = {role: name for role, name in named.items() if name is not None}
     try:
         study = read_study_file(file).locate(
-            cache_folder() / "unpacked", chosen=chosen, accepted=chosen.keys()
+            unpacked_folder(), chosen=chosen, accepted=chosen.keys()
         )
     except (MissingModelError, ChangedModelError) as error:
         way = "before --study" if error.role == "model" else "after --noisy"

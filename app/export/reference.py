@@ -18,7 +18,6 @@ from core.statistics import (
     degree_distribution,
     geodesic_steps,
     spectrum_steps,
-    summarise,
 )
 
 STATISTICS: dict[str, tuple[str, Callable[..., Any], type[Params] | None]] = {
@@ -28,7 +27,6 @@ STATISTICS: dict[str, tuple[str, Callable[..., Any], type[Params] | None]] = {
     "geodesic": ("Geodesic distances", geodesic_steps, GeodesicParams),
     "spectrum": ("Laplacian spectrum", spectrum_steps, SpectrumParams),
     "connectivity": ("Numbers of each vertex", connectivity, None),
-    "summary": ("Summary", summarise, None),
 }
 """Title, computing function and parameters of each statistic, in the order of the page."""
 

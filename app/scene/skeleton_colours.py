@@ -18,7 +18,7 @@ KIND_COLOURS = {"end": "#e69f00", "branch": "#d0342c", "regular": "#1a80c4"}
 _COLOUR_MAP = "viridis"
 _LOWEST, _HIGHEST = 0.04, 0.98
 _EVERY_OTHER = 0.84
-_TEXELS = 4096
+_TEXELS = 2048
 
 
 def band_colours(resolution: int) -> Colours:

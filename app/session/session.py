@@ -98,6 +98,11 @@ class Session:
             job.cancel()
         self.apply(study, "Cancel")
 
+    @property
+    def budget(self) -> int:
+        """Memory for snapshots in bytes."""
+        return self._store.budget
+
     def set_budget(self, budget: int) -> None:
         """Set the memory for snapshots in bytes; what no longer fits goes at once."""
         self._store.budget = budget

@@ -19,12 +19,13 @@ def start(model: str) -> int:
     QCoreApplication.setApplicationName("Burnish")
     application = QApplication.instance() or QApplication(sys.argv[:1])
     from app.ui.main_window import MainWindow
+    from app.ui.restoring import offer_leftovers
 
     window = MainWindow()
     window.faults.install()
     window.show()
     window.files.open(model)
-    window.files.offer_leftovers()
+    offer_leftovers(window)
     try:
         return application.exec()
     finally:

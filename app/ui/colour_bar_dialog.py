@@ -72,7 +72,11 @@ class ColourBarDialog(QDialog):
     def refresh(self, *_: object) -> None:
         """Show the study."""
         view = self._view()
-        boxes = {self.metric_box: view.colour, self.range: view.colour_range, self.map: view.colour_map}
+        boxes = {
+            self.metric_box: view.colour,
+            self.range: view.colour_range,
+            self.map: view.colour_map,
+        }
         for box, value in boxes.items():
             box.setCurrentIndex(box.findData(value))
         for check, on in ((self.reversed, view.colour_reversed), (self.histogram, view.histogram)):

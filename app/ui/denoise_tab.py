@@ -99,6 +99,14 @@ class DenoiseTab(QMainWindow):
         """Save the error plot."""
         self.plot.save(path)
 
+    def reset_layout(self) -> None:
+        """Put all panels back where they were at the first start."""
+        for dock, area in self._areas.items():
+            dock.setFloating(False)
+            self.addDockWidget(area, dock)
+            dock.show()
+        self._size_docks()
+
     def close_graphics(self) -> None:
         """Release the graphics before the window goes."""
         self._redraw_timer.stop()
@@ -113,6 +121,7 @@ class DenoiseTab(QMainWindow):
         self.plot = ErrorPlot(self.session)
         self.table = ResultsTable(self.session)
         self.setDockNestingEnabled(True)
+        self._areas: dict[QDockWidget, Qt.DockWidgetArea] = {}
         left, right = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
         bottom = Qt.DockWidgetArea.BottomDockWidgetArea
         self.setCorner(Qt.Corner.BottomRightCorner, right)
@@ -129,6 +138,7 @@ class DenoiseTab(QMainWindow):
         dock.setObjectName(title)
         dock.setWidget(widget)
         self.addDockWidget(area, dock)
+        self._areas[dock] = area
         return dock
 
     def _connect(self) -> None:
@@ -183,8 +193,10 @@ class DenoiseTab(QMainWindow):
 
     def _lay_out(self) -> None:
         state = QSettings().value(_LAYOUT)
-        if isinstance(state, QByteArray) and self.restoreState(state):
-            return
+        if not (isinstance(state, QByteArray) and self.restoreState(state)):
+            self._size_docks()
+
+    def _size_docks(self) -> None:
         model, methods, plot, table = self.docks
         self.resizeDocks([model, methods], [250, 300], Qt.Orientation.Horizontal)
         bottom = self.width() - methods.width()

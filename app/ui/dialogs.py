@@ -48,6 +48,14 @@ def tell(parent: QWidget, message: str) -> QMessageBox:
     return box
 
 
+def question(parent: QWidget, text: str, more: str) -> QMessageBox:
+    """Make a question that does not stop the window; it still needs its buttons."""
+    box = QMessageBox(QMessageBox.Icon.Question, "Burnish", text, parent=parent)
+    box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    box.setInformativeText(more)
+    return box
+
+
 def _open(dialog: QFileDialog, use: Callable[[Path], None]) -> QFileDialog:
     def chosen(name: str) -> None:
         QSettings().setValue(_FOLDER, str(Path(name).parent))

@@ -13,6 +13,7 @@ from app.export.plots import error_curves, save_error_plot
 from app.scene.colours import LIGHT, Theme
 from app.session import Session
 from app.ui.controls import Coalesced
+from app.ui.help import HelpButton
 from app.ui.plot_canvas import PlotCanvas
 from core.metrics import METRICS
 
@@ -37,6 +38,7 @@ class ErrorPlot(QWidget):
         self._selected: str | None = None
         self.canvas = PlotCanvas()
         self.metric_box = QComboBox()
+        self.help = HelpButton(self.metric_box.currentData, "Reference of this metric")
         # The methods' errors often lie decades apart, and the smallest matter most.
         self.log_box = QCheckBox("Log scale", checked=True)
         self.units_box = QCheckBox("Model units")
@@ -99,6 +101,7 @@ class ErrorPlot(QWidget):
         row.setContentsMargins(8, 4, 8, 4)
         row.setSpacing(12)
         row.addWidget(self.metric_box)
+        row.addWidget(self.help)
         row.addWidget(self.log_box)
         row.addWidget(self.units_box)
         row.addStretch()

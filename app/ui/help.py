@@ -1,5 +1,6 @@
 """Help that is made from the declarations: methods, metrics, errata, versions."""
 
+from collections.abc import Callable
 from importlib import metadata
 from importlib.resources import files
 
@@ -14,15 +15,35 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.export.reference import reference_page
+from app.export.reference import entry_title, reference_page
+from app.ui.controls import IconButton
 
 _PACKAGES = ("burnish", "numpy", "scipy", "numba", "trimesh", "pyvista", "vtk", "pyvistaqt",
              "PySide6-Essentials")  # fmt: skip
 
 
-def show_methods(parent: QWidget) -> QDialog:
-    """Show the reference page of methods and metrics."""
-    return _show_page(parent, "Methods and metrics", reference_page())
+class HelpButton(IconButton):
+    """A small question mark that opens the reference at an entry.
+
+    Parameters
+    ----------
+    entry : callable
+        Returns the id of a method, metric, field or statistic.
+    tip : str
+        What the entry is about.
+    """
+
+    def __init__(self, entry: Callable[[], str], tip: str) -> None:
+        super().__init__("mdi6.help-circle-outline", tip)
+        self.clicked.connect(lambda: show_reference(self.window(), entry()))
+
+
+def show_reference(parent: QWidget, entry: str = "") -> QDialog:
+    """Show the reference page, scrolled to an entry if one is named."""
+    dialog = _show_page(parent, "Reference", reference_page())
+    if entry:
+        _scroll_to(dialog.findChild(QTextBrowser), entry_title(entry))
+    return dialog
 
 
 def show_errata(parent: QWidget) -> QDialog:
@@ -56,6 +77,17 @@ def _version(package: str) -> str:
         return metadata.version(package)
     except metadata.PackageNotFoundError:
         return "(not installed)"
+
+
+def _scroll_to(page: QTextBrowser, title: str) -> None:
+    """Bring a heading to the top of the page."""
+    block = page.document().begin()
+    while block.isValid():
+        if block.blockFormat().headingLevel() and block.text().startswith(title):
+            top = page.document().documentLayout().blockBoundingRect(block).top()
+            page.verticalScrollBar().setValue(round(top))
+            return
+        block = block.next()
 
 
 def _show_page(parent: QWidget, title: str, markdown: str) -> QDialog:

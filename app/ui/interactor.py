@@ -4,6 +4,8 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QWidget
 from pyvistaqt import QtInteractor
 
+_PLAIN_DPI = 72
+
 
 class Interactor(QtInteractor):
     """A drawing area whose keys and drops go to the window.
@@ -23,6 +25,12 @@ class Interactor(QtInteractor):
         self.setAcceptDrops(False)
         self.iren.clear_key_event_callbacks()
 
+    def resizeGL(self, width: int, height: int) -> None:
+        super().resizeGL(width, height)
+        # Text has its size in pixels, as in a picture; else VTK would enlarge it a second time.
+        if self.render_window is not None:
+            self.render_window.SetDPI(_PLAIN_DPI)
+
     def keyPressEvent(self, event: QKeyEvent) -> None:
         event.ignore()
 
@@ -32,4 +40,4 @@ class Interactor(QtInteractor):
     def pixel_size(self) -> tuple[int, int]:
         """Size of the drawing area in device pixels."""
         ratio = self.devicePixelRatioF()
-        return int(self.width() * ratio), int(self.height() * ratio)
+        return max(1, round(self.width() * ratio)), max(1, round(self.height() * ratio))

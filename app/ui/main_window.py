@@ -18,8 +18,9 @@ from app.session import Session
 from app.ui import dialogs, saving
 from app.ui.actions import TOOLBAR, ActionBook, escaped
 from app.ui.denoise_tab import DenoiseTab
+from app.ui.empty_panel import EmptyPanel
 from app.ui.faults import FaultReports, show_log
-from app.ui.help import show_about, show_errata, show_methods
+from app.ui.help import show_about, show_errata, show_reference
 from app.ui.preferences import open_preferences
 from app.ui.preferences_general import kept_budget
 from app.ui.skeleton_export import ask_for_picture
@@ -64,6 +65,7 @@ class MainWindow(QMainWindow):
         self._make_toolbar()
         self.setStatusBar(StatusBar(self.session, self.actions_["cancel"]))
         self.view_commands.attach(self.actions_)
+        self.empty_panel = EmptyPanel(self, self.denoise.viewport)
         self._connect()
         self._restore()
         self._update_actions()
@@ -126,7 +128,7 @@ class MainWindow(QMainWindow):
             "fly": viewport.fly_to_cursor,
             "advance": self._advance,
             "cancel": session.cancel,
-            "methods": lambda: show_methods(self),
+            "methods": lambda: show_reference(self),
             "errata": lambda: show_errata(self),
             "about": lambda: show_about(self),
         }
@@ -143,6 +145,7 @@ class MainWindow(QMainWindow):
             lambda: self.actions_["box_zoom"].setChecked(False)
         )
         self.denoise.noisy_file_requested.connect(self._ask_for_noisy)
+        QGuiApplication.styleHints().colorSchemeChanged.connect(self._follow_system)
 
     # -- menus
 
@@ -272,6 +275,11 @@ class MainWindow(QMainWindow):
         QSettings().setValue(_MODE, mode)
         set_mode(mode)
         self._apply_theme()
+
+    def _follow_system(self, _: object) -> None:
+        """Change colours with the desktop, unless a person has chosen."""
+        if QSettings().value(_MODE, "system") == "system":
+            self._set_mode("system")
 
     def _apply_theme(self) -> None:
         for action in self._themes.actions():

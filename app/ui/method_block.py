@@ -19,6 +19,7 @@ from app.export.tables import WORSE, significant
 from app.scene.colours import method_colour
 from app.session import Run, Session
 from app.ui.controls import FaintLabel, IconButton, JumpSlider, WheelGuard
+from app.ui.help import HelpButton
 from app.ui.parameter_form import ParameterForm
 from core.smoothing import METHODS, MethodSpec
 from core.study import MOST_ITERATIONS, MethodChoice
@@ -177,6 +178,7 @@ class MethodBlock(QWidget):
         self.title.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.gear = IconButton("mdi6.cog-outline", f"Parameters of {spec.title}")
         self.gear.setCheckable(True)
+        self.help = HelpButton(lambda: spec.id, f"Reference of {spec.title}")
         self.iterations = IterationControl(spec.title)
         self.state = FaintLabel()
         palette = self.state.palette()
@@ -192,6 +194,7 @@ class MethodBlock(QWidget):
         head.addWidget(self.check)
         head.addWidget(self._swatch)
         head.addWidget(self.title, 1)
+        head.addWidget(self.help)
         head.addWidget(self.gear)
         inside = QVBoxLayout(self.details)
         inside.setContentsMargins(0, 4, 0, 2)

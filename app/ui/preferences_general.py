@@ -40,6 +40,7 @@ class GeneralPage(QWidget):
         self._session: Session = window.session
         self.budget = QSpinBox(minimum=_LEAST, maximum=machine_memory() // _MEGABYTE, suffix=" MB")
         self.budget.setSingleStep(256)
+        self.budget.setKeyboardTracking(False)
         self.budget.setGroupSeparatorShown(True)
         self.budget.setAccessibleName("Memory for results")
         self.reset_button = QPushButton("Reset Everything to Defaults")

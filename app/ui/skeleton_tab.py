@@ -53,6 +53,7 @@ class SkeletonTab(QMainWindow):
         self.viewport, self.growth = self.centre.viewport, self.centre.growth
         self.side = SkeletonSide(session)
         self.setCentralWidget(self.centre)
+        self._areas: dict[QDockWidget, Qt.DockWidgetArea] = {}
         self.docks = [
             self._dock("Views", self.side, Qt.DockWidgetArea.LeftDockWidgetArea),
             self._dock("Graph", self.centre.drawings, Qt.DockWidgetArea.BottomDockWidgetArea),
@@ -99,6 +100,14 @@ class SkeletonTab(QMainWindow):
         if self._laid_out:
             QSettings().setValue(_LAYOUT, self.saveState())
 
+    def reset_layout(self) -> None:
+        """Put all panels back where they were at the first start."""
+        for dock, area in self._areas.items():
+            dock.setFloating(False)
+            self.addDockWidget(area, dock)
+            dock.show()
+        self._size_docks()
+
     def close_graphics(self) -> None:
         """Release the graphics before the window goes."""
         self._redraw_timer.stop()
@@ -110,6 +119,7 @@ class SkeletonTab(QMainWindow):
         dock.setObjectName(f"skeleton {title}")
         dock.setWidget(widget)
         self.addDockWidget(area, dock)
+        self._areas[dock] = area
         return dock
 
     def _connect(self) -> None:
@@ -194,8 +204,10 @@ class SkeletonTab(QMainWindow):
 
     def _lay_out(self) -> None:
         state = QSettings().value(_LAYOUT)
-        if isinstance(state, QByteArray) and self.restoreState(state):
-            return
+        if not (isinstance(state, QByteArray) and self.restoreState(state)):
+            self._size_docks()
+
+    def _size_docks(self) -> None:
         side, graph = self.docks
         self.resizeDocks([side], [_LEFT_WIDTH], Qt.Orientation.Horizontal)
         self.resizeDocks([graph], [_BOTTOM_HEIGHT], Qt.Orientation.Vertical)

@@ -3,10 +3,11 @@
 from typing import Any
 
 from PySide6.QtCore import QSignalBlocker
-from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QHBoxLayout, QVBoxLayout, QWidget
 
 from app.session import Session
 from app.ui.controls import FaintLabel, WheelGuard
+from app.ui.help import HelpButton
 from app.ui.parameter_form import ParameterForm
 from app.ui.skeleton_changes import change_view, current_view
 from app.ui.skeleton_share import ShareControl
@@ -56,7 +57,10 @@ class ViewPanel(QWidget):
         top, below = _form(), _form()
         top.addRow("Surface", self.source)
         top.addRow("Faces", self.keep)
-        top.addRow("Field", self.field)
+        field = QHBoxLayout()
+        field.addWidget(self.field, 1)
+        field.addWidget(HelpButton(self.field.currentData, "Reference of this field"))
+        top.addRow("Field", field)
         below.addRow("Levels", self.spacing)
         below.addRow("Bands", self.bands)
         below.addRow("", self.root)

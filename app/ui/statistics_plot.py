@@ -16,6 +16,7 @@ from app.export.statistics_series import Series
 from app.export.statistics_words import plot_words
 from app.scene.colours import LIGHT, Theme
 from app.ui.controls import Coalesced, FaintLabel, IconButton
+from app.ui.help import HelpButton
 
 _REDRAW_MS = 60
 _LINES = 3
@@ -88,6 +89,7 @@ class StatisticsPlot(Cell):
     def __init__(self, spec: PlotSpec) -> None:
         super().__init__(spec.id, spec.title)
         self.spec = spec
+        self.head.insertWidget(1, HelpButton(lambda: spec.id, f"Reference: {spec.title}"))
         self.series: list[Series] = []
         self._theme = LIGHT
         self._axes: Any = None

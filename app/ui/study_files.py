@@ -1,22 +1,22 @@
 """Studies as files of the window: open, save, keep, restore, and ask before work is lost."""
 
 from collections.abc import Callable, Iterator
-from datetime import datetime
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QMimeData, Qt
+from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QMessageBox
 
 from app.export.study_script import script_of
-from app.folders import state_folder
+from app.folders import sessions_folder
 from app.session import Job
 from app.session.documents import Document, Documents
 from app.study_words import command_of
 from app.ui import dialogs
-from app.ui.autosave import Autosave, Leftover, leftovers
+from app.ui.autosave import Autosave
+from app.ui.dialogs import question
 from app.ui.gallery import GalleryDialog
 from app.ui.recent import RecentFiles
 from app.ui.study_opening import StudyOpening
@@ -50,7 +50,7 @@ class StudyFiles:
     def __init__(self, window: "MainWindow") -> None:
         self._window, self._session = window, window.session
         self.documents = Documents(window.session)
-        self.autosave = Autosave(window.session, self.documents, state_folder() / "sessions")
+        self.autosave = Autosave(window.session, self.documents, sessions_folder())
         self.recent = RecentFiles(self.open, window)
         self._thumbnailer = Thumbnailer(window.session, self.documents)
         self._may_close = False
@@ -93,42 +93,6 @@ class StudyFiles:
             self._when_safe(partial(self._open_model, name))
         else:
             self._open_model(name)
-
-    def restore(self, leftover: Leftover) -> None:
-        """Open what a crash has left; it is kept until it is kept here."""
-
-        def use(study: Study) -> None:
-            self.documents.changed.connect(discard)
-            self.documents.open(study, leftover.document, f"Restore {leftover.title}")
-
-        def discard() -> None:
-            if self.documents.current is leftover.document:
-                self.documents.changed.disconnect(discard)
-                self.autosave.write()
-                leftover.discard()
-
-        StudyOpening(self._window, leftover.study, use).start()
-
-    def offer_leftovers(self) -> None:
-        """Ask whether to restore the newest study that a crash has left."""
-        found = leftovers(state_folder() / "sessions")
-        for other in found[1:]:
-            other.lock.unlock()
-        if found:
-            self._offer(found[0])
-
-    def _offer(self, leftover: Leftover) -> None:
-        when = datetime.fromtimestamp(leftover.saved_at).astimezone()
-        box = self._question(
-            f"Burnish ended without closing while {leftover.title} was open.",
-            f"It was kept on {when:%d %B at %H:%M}. Restore it?",
-        )
-        restore = box.addButton("Restore", QMessageBox.ButtonRole.AcceptRole)
-        restore.clicked.connect(lambda: self.restore(leftover))
-        box.addButton(_Button.Discard).clicked.connect(leftover.discard)
-        later = box.addButton("Ask me next time", QMessageBox.ButtonRole.RejectRole)
-        later.clicked.connect(leftover.lock.unlock)
-        box.open()
 
     def _remember(self) -> None:
         """Put what is open first in the list of recent files."""
@@ -235,18 +199,12 @@ class StudyFiles:
             return
         path = self.documents.current.path
         name = path.name if path else f"the study of {self._session.meshes.name}"
-        box = self._question(f"Save the changes to {name}?", "Else they are lost.")
+        box = question(self._window, f"Save the changes to {name}?", "Else they are lost.")
         box.addButton(_Button.Save).clicked.connect(lambda: self.save(go))
         box.addButton(_Button.Discard).clicked.connect(lambda *_: go())
         box.addButton(_Button.Cancel)
         box.setDefaultButton(_Button.Save)
         box.open()
-
-    def _question(self, text: str, more: str) -> QMessageBox:
-        box = QMessageBox(QMessageBox.Icon.Question, "Burnish", text, parent=self._window)
-        box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        box.setInformativeText(more)
-        return box
 
 
 def dropped_file(data: QMimeData) -> str | None:

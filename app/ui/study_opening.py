@@ -4,10 +4,9 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMessageBox
 
-from app.folders import cache_folder
+from app.folders import unpacked_folder
 from app.session import Job
 from app.ui import dialogs
 from core.study import Study
@@ -17,11 +16,6 @@ if TYPE_CHECKING:
     from app.ui.main_window import MainWindow
 
 _Role = QMessageBox.ButtonRole
-
-
-def unpacked_folder() -> Path:
-    """Folder that packed models are unpacked into."""
-    return cache_folder() / "unpacked"
 
 
 class StudyOpening:
@@ -60,11 +54,8 @@ class StudyOpening:
 
     def _ask(self, error: MissingModelError | ChangedModelError) -> None:
         changed = isinstance(error, ChangedModelError)
-        box = QMessageBox(QMessageBox.Icon.Question, "Open study", str(error), parent=self._window)
-        box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        box.setInformativeText(
-            "With another model the study gives other numbers." if changed else "Where is it now?"
-        )
+        more = "Another model gives other numbers." if changed else "Where is it now?"
+        box = dialogs.question(self._window, str(error), more)
         if changed:
             anyway = box.addButton("Use it anyway", _Role.AcceptRole)
             anyway.clicked.connect(lambda: self._accept(error.role))

@@ -22,6 +22,7 @@ _SYMBOLS = {"laplacian": "L", "normalized_laplacian": "𝓛"}
 _POINTS = 1000
 _PROBE_ENTRIES = 400_000
 _ROUNDING = 1e-9
+_FADE = 0.01
 
 
 class SpectrumParams(Params):
@@ -182,9 +183,11 @@ def _joined(
     m = len(mesh.vertices)
     head, tail = largest[::-1], smallest[::-1]
     inner = np.linspace(len(head), m - len(tail), _POINTS + 1)[:-1] / m + 0.5 / m
+    _, low, high = counts.at_ranks(inner)
+    middle, _, _ = counts.at_ranks(_fitted(counts, inner, head[-1], tail[0]))
     curves = [
         np.concatenate([head, np.clip(curve, tail[0], head[-1]), tail])
-        for curve in counts.at_ranks(_fitted(counts, inner, head[-1], tail[0]))
+        for curve in (middle, np.minimum(low, middle), np.maximum(high, middle))
     ]
     first = (np.arange(len(head)) + 0.5) / m
     last = 1 - (np.arange(len(tail))[::-1] + 0.5) / m
@@ -203,9 +206,13 @@ def _joined(
 
 
 def _fitted(counts: SpectralCounts, ranks: FloatArray, high: float, low: float) -> FloatArray:
-    """Stretch ranks so that the approximation meets the exact eigenvalues at both ends."""
+    """Shift ranks near both ends so that the approximation meets the exact eigenvalues there."""
     ends = np.interp([-high, -low], -counts.eigenvalues, counts.above)
-    return np.interp(ranks, [ranks[0], ranks[-1]], ends)
+    shift = np.zeros_like(ranks)
+    for known, found in zip((ranks[0], ranks[-1]), ends, strict=True):
+        shift += (found - known) * np.exp(-np.abs(ranks - known) / _FADE)
+    fitted: FloatArray = np.maximum.accumulate(ranks + shift)
+    return fitted
 
 
 def _matrix(mesh: TriangleMesh, name: MatrixName) -> csr_array:

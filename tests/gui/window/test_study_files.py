@@ -12,6 +12,7 @@ from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QMessageBox
 
+from app.ui.restoring import offer_leftovers
 from core.comparison import run
 from core.io import save_mesh
 from core.mesh import primitives
@@ -259,11 +260,11 @@ def killed(ball_file, tmp_path):
 
 
 def test_after_a_kill_the_next_start_offers_what_was_open(killed, user, tmp_path):
-    user.window.files.offer_leftovers()
+    offer_leftovers(user.window)
     assert not user.window.findChildren(QMessageBox)  # it still runs
     killed.send_signal(signal.SIGKILL)
     killed.wait()
-    user.window.files.offer_leftovers()
+    offer_leftovers(user.window)
     assert "while ball.ply was open" in answer(user, "Restore")
     user.wait(lambda: user.window.windowTitle() == "ball.ply* – Burnish")
     user.rest()
@@ -275,6 +276,6 @@ def test_after_a_kill_the_next_start_offers_what_was_open(killed, user, tmp_path
 def test_what_a_kill_left_can_be_thrown_away(killed, user, tmp_path):
     killed.send_signal(signal.SIGKILL)
     killed.wait()
-    user.window.files.offer_leftovers()
+    offer_leftovers(user.window)
     answer(user, "Discard")
     user.wait(lambda: not list((tmp_path / "state").rglob("study.json")))

@@ -230,7 +230,7 @@ def test_colouring_shows_one_bar_for_all_panes(user, ball_file):
 def test_saved_mesh_plot_and_table_hold_what_was_shown(user, ball_file, tmp_path):
     user.open(ball_file)
     user.click_pane("mean")
-    user.press(Qt.Key.Key_S, CONTROL)
+    user.press(Qt.Key.Key_M, CONTROL)
     user.answer_file_dialog(tmp_path / "mean.ply")
     run = user.window.session.run("mean")
     user.wait((tmp_path / "mean.ply").exists)
@@ -254,7 +254,7 @@ def test_a_file_that_cannot_be_written_is_one_sentence(user, ball_file, tmp_path
     user.click_pane("mean")
     folder = tmp_path / "gone"
     folder.mkdir()
-    user.press(Qt.Key.Key_S, CONTROL)
+    user.press(Qt.Key.Key_M, CONTROL)
     user.wait(user.file_dialogs)
     dialog = user.file_dialogs()[0]
     folder.rmdir()
@@ -291,5 +291,6 @@ def test_nothing_runs_and_nothing_is_left_after_closing(user, ball_file):
 
     user.open(ball_file)
     user.type_iterations("median", 1000)
+    user.window.files.discard_changes()
     user.window.close()
     assert not [t for t in threading.enumerate() if t.name == "burnish-jobs" and t.is_alive()]
