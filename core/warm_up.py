@@ -19,6 +19,7 @@ from core.skeleton import (
     loop_checks,
 )
 from core.smoothing import METHODS, smooth
+from core.statistics import connectivity
 
 
 def warm_up() -> None:
@@ -32,6 +33,7 @@ def warm_up() -> None:
         metric.evaluator(original).value(noisy.vertices)
     shading_normals(noisy.vertices, noisy.faces)
     _warm_up_skeleton(noisy)
+    connectivity(noisy)
 
 
 def _warm_up_skeleton(mesh: TriangleMesh) -> None:

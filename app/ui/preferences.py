@@ -3,7 +3,14 @@
 from typing import Any
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTabWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QPushButton,
+    QTabWidget,
+    QVBoxLayout,
+    QWidget,
+)
 
 from app.ui.preferences_general import GeneralPage
 from app.ui.shortcut_sheet import ShortcutPage
@@ -34,6 +41,9 @@ class PreferencesDialog(QDialog):
                 self.tabs.setCurrentWidget(page)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         buttons.rejected.connect(self.reject)
+        for button in self.findChildren(QPushButton):
+            # Enter in a box belongs to the box, not to a button that resets things.
+            button.setAutoDefault(False)
         layout = QVBoxLayout(self)
         layout.addWidget(self.tabs, 1)
         layout.addWidget(buttons)

@@ -5,14 +5,28 @@ from pathlib import Path
 
 from PySide6.QtCore import QSettings
 from PySide6.QtGui import QIcon
-from PySide6.QtWidgets import QMenu, QWidget
+from PySide6.QtWidgets import QMenu, QProxyStyle, QStyle, QStyleOption, QWidget
 
 from app.ui.actions import escaped
 from app.ui.thumbnails import thumbnail
 
 _KEPT = "recent_files"
 _MOST = 10
-_ICON = "QMenu { icon-size: 56px 42px; }"
+_ICON_WIDTH = 56
+
+
+class _LargeIcons(QProxyStyle):
+    """Style of a menu whose icons are pictures."""
+
+    def pixelMetric(
+        self,
+        metric: QStyle.PixelMetric,
+        option: QStyleOption | None = None,
+        widget: QWidget | None = None,
+    ) -> int:
+        if metric == QStyle.PixelMetric.PM_SmallIconSize:
+            return _ICON_WIDTH
+        return super().pixelMetric(metric, option, widget)
 
 
 class RecentFiles:
@@ -29,7 +43,8 @@ class RecentFiles:
     def __init__(self, open_: Callable[[str], None], parent: QWidget) -> None:
         self._open = open_
         self.menu = QMenu("Open &Recent", parent)
-        self.menu.setStyleSheet(_ICON)
+        self._style = _LargeIcons("Fusion")
+        self.menu.setStyle(self._style)
         self.menu.setToolTipsVisible(True)
         # Filled when it opens: then the pictures are those that there are.
         self.menu.aboutToShow.connect(self.fill)

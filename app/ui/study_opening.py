@@ -61,7 +61,7 @@ class StudyOpening:
             anyway.clicked.connect(lambda: self._accept(error.role))
         choose = box.addButton("Choose a file…", _Role.ActionRole)
         choose.clicked.connect(lambda: self._choose(error.role))
-        box.addButton(QMessageBox.StandardButton.Cancel)
+        box.setDefaultButton(box.addButton(QMessageBox.StandardButton.Cancel))
         box.open()
 
     def _accept(self, role: Role) -> None:
