@@ -1,9 +1,12 @@
 """Where Burnish keeps its own files: each platform's folders for states, caches and logs."""
 
+import shutil
+import time
 from pathlib import Path
 
 from platformdirs import PlatformDirs
 
+_OLD_SECONDS = 30 * 24 * 3600
 _DIRS = PlatformDirs("burnish", appauthor=False)
 
 
@@ -25,3 +28,11 @@ def unpacked_folder() -> Path:
 def log_folder() -> Path:
     """Folder for log files."""
     return _DIRS.user_log_path
+
+
+def forget_old(folder: Path) -> None:
+    """Remove what has lain in a folder for a month; what cannot be removed stays."""
+    now = time.time()
+    for entry in folder.glob("*"):
+        if now - entry.stat().st_mtime > _OLD_SECONDS:
+            shutil.rmtree(entry, ignore_errors=True)

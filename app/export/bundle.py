@@ -3,6 +3,8 @@
 import json
 from pathlib import Path
 
+from app.export.montage import Source, montage_figure, save_montage
+from app.export.montage_plan import Cell, Montage
 from app.export.outcomes import study_outcomes
 from app.export.pictures import grid_picture, save_picture
 from app.export.plots import error_curves, save_error_plot
@@ -15,6 +17,7 @@ from core.study_files import write_study_file
 
 _PICTURE_SIZE = (1920, 1080)
 _TEXT_SCALE = 1.5
+_MONTAGES = (".png", ".pdf")
 
 
 def write_comparison(result: StudyResult, folder: Path) -> None:
@@ -62,3 +65,7 @@ def _write_pictures(result: StudyResult, folder: Path) -> None:
     panes = study_panes(result)
     look = study_look(result, panes, _TEXT_SCALE)
     save_picture(grid_picture(panes, look, None, _PICTURE_SIZE), folder / "panes.png")
+    montage = Montage(tuple(Cell(pane.id, pane.title) for pane in panes))
+    figure = montage_figure(montage, Source(tuple(panes), look))
+    for suffix in _MONTAGES:
+        save_montage(figure, folder / f"montage{suffix}")

@@ -53,7 +53,9 @@ class Caption:
         edge = _MARGIN * scale if right is None else right - _MARGIN * scale
         room = np.inf if width is None else width - 2 * _MARGIN * scale
         below = top - (_TITLE_SIZE + 7) * scale
-        self._place(self._title, top, fitting(pane.title, _TITLE_SIZE * scale, room), edge)
+        self._place(
+            self._title, top, fitting(pane.title, _TITLE_SIZE * scale, room, bold=True), edge
+        )
         size = fitting(pane.caption, _CAPTION_SIZE * scale, room)
         self._place(self._caption, below, size, edge)
         for line in (self._title, self._caption):
@@ -70,16 +72,16 @@ class Caption:
         line.prop.SetFontSize(size)
 
 
-def fitting(text: str, size: float, room: float) -> int:
+def fitting(text: str, size: float, room: float, *, bold: bool = False) -> int:
     """Size of the letters at which a text fits into a width; never less than two thirds."""
-    wide = _measure().getlength(text) / _MEASURED_SIZE * size
+    wide = _measure(bold).getlength(text) / _MEASURED_SIZE * size
     return int(size * min(1.0, max(room / max(wide, 1e-9), _SMALLEST)))
 
 
 @cache
-def _measure() -> ImageFont.FreeTypeFont:
-    """The wider of the two fonts, large enough to measure any text by."""
-    return ImageFont.truetype(_font_file(bold=True), _MEASURED_SIZE)
+def _measure(bold: bool) -> ImageFont.FreeTypeFont:
+    """A font to measure text by, at a size where rounding does not matter."""
+    return ImageFont.truetype(_font_file(bold=bold), _MEASURED_SIZE)
 
 
 def text_line(size: int, *, bold: bool = False) -> pv.Text:

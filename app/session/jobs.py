@@ -96,7 +96,7 @@ class Jobs:
         try:
             item = None if job.cancelled else next(job.steps, None)
         except Exception as error:  # noqa: BLE001 - whatever a worker raises belongs to its owner
-            logger.info("job failed: %s", error)
+            logger.info("job failed", exc_info=error)
             self._deliver(partial(job.on_error, error))
             item = None
         if item is None:

@@ -177,7 +177,7 @@ class Session:
 
         def failed(error: Exception) -> None:
             on_failure()
-            self._report(error)
+            self.report(error)
 
         self._loading = job = Job(read(), loaded, failed, done)
         self.jobs.start(job, urgent=True)
@@ -236,11 +236,12 @@ class Session:
             self._running.pop(key, None)
             self._run_missing()
 
-        job = Job(source.advance(target), extend, self._report, done)
+        job = Job(source.advance(target), extend, self.report, done)
         self._running[key] = job
         self.jobs.start(job)
 
-    def _report(self, error: Exception) -> None:
+    def report(self, error: Exception) -> None:
+        """Tell what a job raised: a sentence where the input was at fault, else a fault."""
         if isinstance(error, _EXPECTED):
             self.failed.emit(str(error) or type(error).__name__)
         else:

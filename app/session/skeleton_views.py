@@ -102,10 +102,7 @@ class SkeletonViews:
         def steps() -> Iterator[Any]:
             yield work(known)
 
-        self._session.jobs.start(Job(steps(), use, self._report), urgent=True)
-
-    def _report(self, error: Exception) -> None:
-        self._session.failed.emit(str(error) or type(error).__name__)
+        self._session.jobs.start(Job(steps(), use, self._session.report), urgent=True)
 
     def _on_study_changed(self, study: Study, before: Study) -> None:
         if study.skeleton != before.skeleton or study.methods != before.methods:
@@ -141,7 +138,7 @@ class SkeletonViews:
             if self._jobs[index] is job:
                 self._jobs[index] = None
 
-        job = Job(steps(), partial(self._adopt, index), self._report, done)
+        job = Job(steps(), partial(self._adopt, index), self._session.report, done)
         self._jobs[index] = job
         self._session.jobs.start(job, urgent=True)
 

@@ -50,5 +50,5 @@ def _gather(menu: QMenu, menus: tuple[str, ...], found: list[Entry]) -> None:
     for action in menu.actions():
         if action.menu():
             _gather(action.menu(), (*menus, plain(action.text())), found)
-        elif not action.isSeparator() and action.text():
+        elif action.text() and all(action is not entry.action for entry in found):
             found.append(Entry(action, menus))

@@ -161,6 +161,8 @@ class MainWindow(QMainWindow):
         view = self.actions_.menu("View")
         view.addSeparator()
         self._colours = self._choices("&Colour by", self._colour_names(), self._set_colour)
+        self._colours.addSeparator()
+        self._colours.addAction(self.actions_["colour_bar"])
         view.addMenu(self._colours)
         view.addSeparator()
         modes = {mode: mode.capitalize() for mode in ("system", "light", "dark")}

@@ -41,12 +41,12 @@ class PreferencesDialog(QDialog):
                 self.tabs.setCurrentWidget(page)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         buttons.rejected.connect(self.reject)
-        for button in self.findChildren(QPushButton):
-            # Enter in a box belongs to the box, not to a button that resets things.
-            button.setAutoDefault(False)
         layout = QVBoxLayout(self)
         layout.addWidget(self.tabs, 1)
         layout.addWidget(buttons)
+        for button in self.findChildren(QPushButton):
+            # Enter in a box belongs to the box, not to a button that resets things.
+            button.setAutoDefault(False)
 
 
 def open_preferences(window: Any, page: str = "") -> PreferencesDialog:

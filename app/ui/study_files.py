@@ -165,10 +165,7 @@ class StudyFiles:
             self._session.notified.emit(f"Saved {path.name}.")
             then()
 
-        def failed(error: Exception) -> None:
-            dialogs.tell(self._window, str(error))
-
-        self._session.jobs.start(Job(steps(), done, failed), urgent=True)
+        self._session.jobs.start(Job(steps(), done, self._session.report), urgent=True)
 
     # -- work that is not saved
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QMessageBox
 
-from app.folders import unpacked_folder
+from app.folders import forget_old, unpacked_folder
 from app.session import Job
 from app.ui import dialogs
 from core.study import Study
@@ -40,6 +40,7 @@ class StudyOpening:
         """Look for the models beside the window: comparing large files takes a while."""
 
         def steps() -> Iterator[Study]:
+            forget_old(unpacked_folder())
             yield self._file.locate(unpacked_folder(), chosen=self._chosen, accepted=self._accepted)
 
         self._window.session.jobs.start(Job(steps(), self._use, self._failed), urgent=True)
@@ -50,7 +51,7 @@ class StudyOpening:
         elif isinstance(error, StudyFileError):
             dialogs.tell(self._window, str(error))
         else:
-            self._window.session.broken.emit(error)
+            self._window.session.report(error)
 
     def _ask(self, error: MissingModelError | ChangedModelError) -> None:
         changed = isinstance(error, ChangedModelError)

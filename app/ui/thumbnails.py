@@ -15,7 +15,8 @@ from core.mesh import TriangleMesh
 
 logger = logging.getLogger(__name__)
 
-_SIZE = (192, 144)
+_SIZE = (196, 148)
+_FRAME = 2
 _IDLE_MS = 1500
 _MOST_FACES = 400_000
 
@@ -31,6 +32,7 @@ def draw_thumbnail(mesh: TriangleMesh, files: list[Path]) -> None:
     points = (mesh.vertices - mesh.vertices.mean(axis=0)).astype("float32")
     pane = Pane("original", "", "", "#808080", points)
     picture = grid_picture([pane], Look(mesh.faces), None, _SIZE, transparent=True)
+    picture = picture[_FRAME:-_FRAME, _FRAME:-_FRAME]
     for file in files:
         try:
             file.parent.mkdir(parents=True, exist_ok=True)

@@ -67,6 +67,7 @@ class ViewCommands(QObject):
         self.probe.changed.connect(window.statusBar().show_place)
         self._compare_with = book.menu("View/Co&mpare Panes").addMenu("&With")
         self._compare_group = QActionGroup(self._compare_with)
+        window.denoise.viewport.bar_opened.connect(book["colour_bar"].trigger)
         self._camera_menu = book.menu("View/&Cameras")
         self._panels = book.menu("View/P&anels")
         self._panels.aboutToShow.connect(self._fill_panels)

@@ -34,11 +34,13 @@ class Viewport(QWidget):
     Signals
     -------
     selected(str) : the pane that was clicked.
+    bar_opened() : the colour bar was double-clicked.
     box_zoom_ended() : the rectangle of a box zoom was drawn or given up.
     """
 
     selected = Signal(str)
     box_zoom_ended = Signal()
+    bar_opened = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -189,7 +191,11 @@ class Viewport(QWidget):
         return False
 
     def _double_click(self, event: QMouseEvent) -> bool:
-        self.toggle_enlarged(self._pane_at(event.position().toPoint()))
+        pane = self._pane_at(event.position().toPoint())
+        if pane is None:
+            self.bar_opened.emit()
+        elif self.grid.swipe is None:
+            self.toggle_enlarged(pane)
         return True
 
     def _before_drawing(self, *_: object) -> None:

@@ -63,7 +63,8 @@ def test_output_folder_gets_pictures_plot_tables_and_meshes(capsys, ball_file, t
     call(capsys, "compare", ball_file, "--methods", "mean", "--iterations", 1, "-o", folder)
     names = {path.name for path in folder.iterdir()}
     assert names == {
-        "panes.png", "errors.png", "errors.svg", "table.csv", "table.md", "result.json",
+        "panes.png", "montage.png", "montage.pdf", "errors.png", "errors.svg", "table.csv",
+        "table.md", "result.json",
         "study.burnish", "noisy.ply", "mean.ply",
     }  # fmt: skip
 

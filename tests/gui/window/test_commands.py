@@ -1,0 +1,203 @@
+"""Commands by name and by key, cameras, help, the empty window, panels and colours."""
+
+import pytest
+from PySide6.QtCore import QSettings, Qt
+from PySide6.QtGui import QGuiApplication, QKeySequence
+from PySide6.QtWidgets import QInputDialog, QMessageBox, QTextBrowser
+
+from app.scene.camera import CameraPose
+from app.ui.actions import COMMANDS
+from app.ui.command_list import entries
+from app.ui.palette import CommandPalette
+from app.ui.preferences import open_preferences
+from app.ui.shortcut_sheet import ShortcutPage, ShortcutSheet
+
+CONTROL = Qt.KeyboardModifier.ControlModifier
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+ALT = Qt.KeyboardModifier.AltModifier
+
+
+def palette(user):
+    user.press(Qt.Key.Key_P, CONTROL | SHIFT)
+    return user.window.findChildren(CommandPalette)[-1]
+
+
+def test_every_command_has_a_place_a_name_and_a_tip():
+    assert len({command.id for command in COMMANDS}) == len(COMMANDS)
+    assert all(command.menu and command.text and command.tip for command in COMMANDS)
+    keys = [QKeySequence(command.key) for command in COMMANDS if command.key]
+    assert len({key.toString() for key in keys}) == len(keys)
+
+
+def test_the_palette_lists_commands_choices_and_presets_once(user):
+    paths = [entry.path for entry in entries(user.window)]
+    assert len(paths) == len(set(paths))
+    for path in ("File › Export › Figure", "View › Colour by › Normal angle",
+                 "View › Look From › Top (+Y)", "View › Theme › Dark"):  # fmt: skip
+        assert path in paths
+
+
+def test_the_palette_runs_what_a_few_letters_find(user, ball_file, qtbot):
+    user.open(ball_file)
+    dialog = palette(user)
+    qtbot.keyClicks(dialog.line, "norm ang")
+    assert dialog.model.entries[0].name == "Normal angle"
+    qtbot.keyClick(dialog.line, Qt.Key.Key_Return)
+    user.wait(lambda: user.window.session.study.view.colour == "normal_angle")
+
+
+def test_the_palette_does_not_run_what_is_impossible_now(user, qtbot):
+    dialog = palette(user)
+    qtbot.keyClicks(dialog.line, "export figure")
+    assert dialog.model.entries[0].name == "Figure"
+    qtbot.keyClick(dialog.line, Qt.Key.Key_Return)
+    assert dialog.isVisible()
+    dialog.close()
+
+
+def test_the_sheet_of_shortcuts_is_searched_by_name_and_key(user, qtbot):
+    user.press(Qt.Key.Key_Question)
+    sheet = user.window.findChild(ShortcutSheet)
+    qtbot.keyClicks(sheet.table.search, "ctrl+z")
+    shown = [c.id for c in COMMANDS if not sheet.table.items[c.id].isHidden()]
+    assert shown == ["undo"]
+    sheet.table.search.setText("swipe")
+    assert not sheet.table.items["swipe"].isHidden()
+    sheet.close()
+
+
+def keyboard_page(user):
+    return open_preferences(user.window, "Keyboard").findChild(ShortcutPage)
+
+
+def test_a_key_is_changed_kept_and_reset(user, ball_file, window):
+    user.open(ball_file)
+    page = keyboard_page(user)
+    page.table.tree.setCurrentItem(page.table.items["difference"])
+    page.editor.setKeySequence(QKeySequence("K"))
+    page.window().close()
+    user.press(Qt.Key.Key_H)
+    assert user.window.session.study.view.colour == "none"
+    user.press(Qt.Key.Key_K)
+    assert user.window.session.study.view.colour == "vertex_rms"
+    assert QSettings().value("shortcuts/difference") == "K"
+    assert user.window.actions_["difference"].toolTip().endswith("(K)")
+    page = keyboard_page(user)
+    page.reset_button.click()
+    page.window().close()
+    assert user.window.actions_["difference"].shortcut().toString() == "H"
+    assert QSettings().value("shortcuts/difference") is None
+
+
+def test_a_key_that_is_taken_is_refused_and_named(user):
+    page = keyboard_page(user)
+    page.table.tree.setCurrentItem(page.table.items["edges"])
+    page.editor.setKeySequence(QKeySequence("Ctrl+Z"))
+    assert "belongs to “Undo”" in page.message.text()
+    assert user.window.actions_["edges"].shortcut().toString() == "W"
+    page.editor.clear()
+    assert user.window.actions_["edges"].shortcut().isEmpty()
+    page.window().close()
+
+
+def test_a_camera_is_copied_and_pasted(user, ball_file):
+    user.open(ball_file)
+    viewport = user.denoise.viewport
+    before = viewport.pose
+    user.press(Qt.Key.Key_C, CONTROL | ALT)
+    text = QGuiApplication.clipboard().text()
+    user.press(Qt.Key.Key_6)
+    assert viewport.pose != before
+    QGuiApplication.clipboard().setText(text)
+    user.press(Qt.Key.Key_V, CONTROL | ALT)
+    assert viewport.pose == pytest.approx(before)
+    assert CameraPose.of(viewport.grid.renderer("mean").GetActiveCamera()) == viewport.pose
+
+
+def test_pasting_something_else_is_one_sentence(user, ball_file):
+    user.open(ball_file)
+    QGuiApplication.clipboard().setText("hello")
+    user.press(Qt.Key.Key_V, CONTROL | ALT)
+    boxes = [b for b in user.window.findChildren(QMessageBox) if b.isVisible()]
+    assert "This text is no camera" in boxes[0].text()
+    boxes[0].close()
+
+
+def test_a_camera_is_saved_by_name_with_the_study(user, ball_file, qtbot):
+    user.open(ball_file)
+    before = user.denoise.viewport.pose
+    user.press(Qt.Key.Key_S, CONTROL | ALT)
+    dialog = user.window.findChild(QInputDialog)
+    dialog.setTextValue("My side")
+    dialog.accept()
+    user.press(Qt.Key.Key_6)
+    menu = user.window.actions_.menu("View/&Cameras")
+    next(a for a in menu.actions() if a.text() == "My side").trigger()
+    assert user.denoise.viewport.pose == pytest.approx(before)
+    assert user.window.session.study.view.cameras[0].name == "My side"
+    user.window.session.undo()
+    assert "My side" not in [a.text() for a in menu.actions()]
+
+
+def test_the_empty_window_tells_what_to_do(user):
+    panel = user.window.empty_panel
+    assert panel.isVisible()
+    assert panel.rect() == user.denoise.viewport.rect()
+    panel.buttons["double_torus"].click()
+    user.rest()
+    assert not panel.isVisible()
+    assert user.captions()["mean"].startswith("k = 6 ")
+
+
+def test_the_first_start_shows_the_bundled_model_compared(user):
+    user.window.open_model("sample:creature")
+    user.rest()
+    assert len(user.captions()) == 7
+
+
+def test_help_opens_at_the_entry_of_the_place(user, ball_file):
+    user.open(ball_file)
+    user.denoise.methods.blocks["bilateral"].help.click()
+    page = user.window.findChildren(QTextBrowser)[-1]
+    top = page.cursorForPosition(page.rect().topLeft()).block()
+    heading = top if top.text() else top.next()
+    assert heading.text() == "Bilateral"
+    page.window().close()
+
+
+def test_panels_are_put_back(user, ball_file):
+    user.open(ball_file)
+    dock = user.denoise.docks[0]
+    dock.close()
+    user.denoise.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, user.denoise.docks[3])
+    menu = user.window.actions_.menu("View/P&anels")
+    menu.aboutToShow.emit()
+    assert [a.isChecked() for a in menu.actions()[:4]] == [False, True, True, True]
+    menu.actions()[-1].trigger()
+    assert dock.isVisible()
+    areas = [user.denoise.dockWidgetArea(d) for d in user.denoise.docks]
+    assert areas[3] == Qt.DockWidgetArea.BottomDockWidgetArea
+
+
+def test_panels_come_back_where_they_were_after_a_restart(user, ball_file, qtbot):
+    from app.ui.main_window import MainWindow
+
+    user.open(ball_file)
+    user.denoise.docks[2].close()
+    user.denoise.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, user.denoise.docks[1])
+    user.denoise.save_layout()
+    second = MainWindow()
+    second.resize(1280, 800)
+    second.show()
+    try:
+        user.wait(lambda: not second.denoise.docks[2].isVisible())
+        area = second.denoise.dockWidgetArea(second.denoise.docks[1])
+        assert area == Qt.DockWidgetArea.LeftDockWidgetArea
+    finally:
+        second.close()
+        second.deleteLater()
+
+
+def test_text_in_the_panes_is_scaled_once(user, ball_file):
+    user.open(ball_file)
+    assert user.denoise.viewport.interactor.render_window.GetDPI() == 72
