@@ -4,6 +4,7 @@ import io
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import matplotlib as mpl
 import numpy as np
@@ -78,13 +79,21 @@ def montage_figure(
     drawn = (draw or cell_pictures)(
         source, look, chosen, size, montage.dpi, transparent=montage.ground == "transparent"
     )
-    figure = Figure(figsize=(layout.width / INCH, layout.height / INCH), dpi=montage.dpi)
+    inches = [
+        _whole_pixels(length * dots) / montage.dpi for length in (layout.width, layout.height)
+    ]
+    figure = Figure(figsize=(inches[0], inches[1]), dpi=montage.dpi)
     figure.set_facecolor("none" if montage.ground == "transparent" else look.theme.ground)
     for place, picture in enumerate(drawn):
         _place_picture(figure, montage, layout, place, picture, look.theme)
     if with_bar:
         _place_bar(figure, montage, layout, look)
     return figure
+
+
+def _whole_pixels(length: float) -> float:
+    """Round to pixels, a little up, since Matplotlib cuts off what is behind the point."""
+    return round(length) + 1e-6
 
 
 def grounded(look: Look, ground: Ground) -> Look:
@@ -114,7 +123,7 @@ def cell_pictures(
 
 def montage_pixels(figure: Figure) -> Picture:
     """Draw a montage's figure into pixels, (height, width, 4)."""
-    canvas = FigureCanvasAgg(figure)
+    canvas: Any = FigureCanvasAgg(figure)
     canvas.draw()
     picture: Picture = np.asarray(canvas.buffer_rgba()).copy()
     return picture
@@ -134,7 +143,7 @@ def save_montage(figure: Figure, path: Path) -> None:
         raise PictureError(f"{path.name}: figures are not written in this format; use {allowed}.")
     # No date: the same study gives the same file.
     metadata = {"CreationDate": None} if suffix == ".pdf" else None
-    extra = {"pil_kwargs": {"compression": "tiff_lzw"}} if suffix == ".tiff" else {}
+    extra: dict[str, Any] = {"pil_kwargs": {"compression": "tiff_lzw"}} if suffix == ".tiff" else {}
     buffer = io.BytesIO()
     with mpl.rc_context({"pdf.fonttype": 42}):
         figure.savefig(buffer, format=suffix[1:], dpi=figure.dpi, metadata=metadata, **extra)

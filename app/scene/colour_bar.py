@@ -55,7 +55,8 @@ class ColourBar:
     def _show_scale(self, left: float, right: float, table: pv.LookupTable) -> None:
         edges = np.linspace(_BOTTOM, _TOP, _STEPS + 1)
         ones = np.ones(_STEPS)
-        self._scale.show(left * ones, right * ones, edges, np.linspace(*table.scalar_range, _STEPS))
+        low, high = table.scalar_range
+        self._scale.show(left * ones, right * ones, edges, np.linspace(low, high, _STEPS))
         self._scale.mapper.SetLookupTable(table)
         self._scale.mapper.SetScalarRange(table.scalar_range)
 

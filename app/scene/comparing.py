@@ -25,7 +25,7 @@ def pair(ids: Sequence[str], selected: str | None, compare_with: str) -> tuple[s
     """
     if len(ids) < 2:
         return None
-    pane = selected if selected in ids else ids[-1]
+    pane = selected if selected is not None and selected in ids else ids[-1]
     others = [id_ for id_ in (compare_with, "noisy", *ids) if id_ in ids and id_ != pane]
     return pane, others[0]
 

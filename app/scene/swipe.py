@@ -87,7 +87,7 @@ class SwipeLayer:
         normal = cutting_normal(camera, self._share, aspect)
         for plane, sign in zip(self._planes, (-1, 1), strict=True):
             plane.SetOrigin(camera.GetPosition())
-            plane.SetNormal(sign * normal)
+            plane.SetNormal(*(sign * normal))
 
     def hide(self) -> None:
         """Leave the left pane whole again."""

@@ -95,7 +95,8 @@ class Jobs:
         """Take one step of a job; tell whether there is more."""
         try:
             item = None if job.cancelled else next(job.steps, None)
-        except Exception as error:  # noqa: BLE001 - whatever a worker raises belongs to its owner
+        except Exception as error:
+            # Whatever a worker raises belongs to its owner.
             logger.info("job failed", exc_info=error)
             self._deliver(partial(job.on_error, error))
             item = None

@@ -10,7 +10,11 @@ from core.study import SAMPLE_PREFIX, Study
 from core.study_files import Fingerprint, fingerprint
 
 _KEPT = 4
-_KEPT_PAIRS = 6
+# Pairs of meshes take this share of the memory for results, and a pair takes about this many
+# times its noisy vertices, because the metrics keep what they have prepared.
+_SHARE = 0.25
+_PREPARED = 20
+_FEWEST_PAIRS = 2
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,9 +43,16 @@ class Meshes:
 
 
 class MeshReader:
-    """Reads meshes and keeps the last few, with the topology they share."""
+    """Reads meshes and keeps the last ones, with the topology they share.
 
-    def __init__(self) -> None:
+    Parameters
+    ----------
+    budget : int
+        Memory for all results in bytes, of which the pairs take a share.
+    """
+
+    def __init__(self, budget: int) -> None:
+        self.budget = budget
         self._files: dict[tuple[str, int], tuple[LoadedMesh, Fingerprint]] = {}
         self._meshes: dict[str, Meshes] = {}
 
@@ -53,9 +64,13 @@ class MeshReader:
         """Read the meshes of a study and prepare what every method needs."""
         meshes = self._read(study)
         self._meshes[meshes.key] = meshes
-        while len(self._meshes) > _KEPT_PAIRS:
+        while len(self._meshes) > _FEWEST_PAIRS and self._bytes() > _SHARE * self.budget:
             self._meshes.pop(next(iter(self._meshes)))
         return meshes
+
+    def _bytes(self) -> int:
+        pairs = self._meshes.values()
+        return sum(_PREPARED * pair.comparison.noisy.vertices.nbytes for pair in pairs)
 
     def _read(self, study: Study) -> Meshes:
         key = mesh_key(study)

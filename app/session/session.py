@@ -8,6 +8,7 @@ from psygnal import Signal
 from app.session.history import History
 from app.session.jobs import Job, Jobs, Post
 from app.session.meshes import Meshes, MeshReader
+from app.session.merging import carried_over, sources_of
 from app.session.runs import Run, RunKey, RunStore
 from core.comparison import Snapshot
 from core.smoothing import METHODS, DivergenceError
@@ -59,7 +60,7 @@ class Session:
         self.meshes: Meshes | None = None
         self.history = History()
         self.jobs = Jobs(post)
-        self._reader = MeshReader()
+        self._reader = MeshReader(budget)
         self._store = RunStore(budget)
         self._running: dict[RunKey, Job] = {}
         self._loading: Job | None = None
@@ -105,7 +106,7 @@ class Session:
 
     def set_budget(self, budget: int) -> None:
         """Set the memory for snapshots in bytes; what no longer fits goes at once."""
-        self._store.budget = budget
+        self._store.budget = self._reader.budget = budget
         self._store.trim(self._wanted())
 
     def close(self) -> None:
@@ -134,7 +135,7 @@ class Session:
         return Activity(f"Smoothing: {titles}", done / max(sum(c.iterations for c in busy), 1))
 
     def _needs_meshes(self, study: Study) -> bool:
-        return self.meshes is None or _sources(study) != _sources(self.study)
+        return self.meshes is None or sources_of(study) != sources_of(self.study)
 
     def _travel(self, study: Study, go_back: Callable[[Study], Study]) -> None:
         """Go to a study of the history; if its meshes cannot be had, the history goes back."""
@@ -173,7 +174,7 @@ class Session:
 
         def loaded(meshes: Meshes) -> None:
             if not job.cancelled:
-                self._adopt(_carried_over(study, before, self.study), name, meshes)
+                self._adopt(carried_over(study, before, self.study), name, meshes)
 
         def failed(error: Exception) -> None:
             on_failure()
@@ -246,19 +247,3 @@ class Session:
             self.failed.emit(str(error) or type(error).__name__)
         else:
             self.broken.emit(error)
-
-
-def _carried_over(wanted: Study, before: Study, now: Study) -> Study:
-    """Return the study that was loaded, with what a person changed while it was loading."""
-    changed = {
-        name: getattr(now, name)
-        for name in Study.model_fields
-        if getattr(now, name) != getattr(before, name)
-    }
-    return wanted.model_copy(update={**changed, **_sources(wanted)})
-
-
-def _sources(study: Study) -> dict[str, object]:
-    """What the meshes of a study, and how they are compared, depend on."""
-    names = ("model", "noisy", "noise", "model_units")
-    return {name: getattr(study, name) for name in names}

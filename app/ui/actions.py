@@ -127,6 +127,10 @@ TOOLBAR = ("open", None, "undo", "redo", None, "advance", "cancel", None, "link"
            "screenshot")  # fmt: skip
 """Commands on the toolbar, with None for a gap."""
 
+NEED_MODEL = ("save_study", "save_study_as", "save_packed", "save_mesh", "save_plot",
+              "save_table", "screenshot", "advance", "copy_command", "copy_script")  # fmt: skip
+"""Commands that need a model."""
+
 
 class ActionBook:
     """The commands as Qt actions of one window.

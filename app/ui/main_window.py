@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QMainWindow, QMenu, QTabWidget, QToolButton
 
 from app.session import Session
 from app.ui import dialogs, saving
-from app.ui.actions import TOOLBAR, ActionBook, escaped
+from app.ui.actions import NEED_MODEL, TOOLBAR, ActionBook, escaped
 from app.ui.denoise_tab import DenoiseTab
 from app.ui.empty_panel import EmptyPanel
 from app.ui.faults import FaultReports, show_log
@@ -256,16 +256,7 @@ class MainWindow(QMainWindow):
             book[command].setEnabled(name is not None)
             book[command].setText(f"&{word} {escaped(name)}" if name else f"&{word}")
         book["cancel"].setEnabled(session.activity is not None)
-        for command in (
-            "save_study",
-            "save_study_as",
-            "save_packed",
-            "save_mesh",
-            "save_plot",
-            "save_table",
-            "screenshot",
-            "advance",
-        ):
+        for command in NEED_MODEL:
             book[command].setEnabled(session.meshes is not None)
         for action in self._colours.actions():
             action.setChecked(action.data() == view.colour)

@@ -4,7 +4,8 @@ import hashlib
 import logging
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QObject, Qt, QTimer
+from PySide6.QtWidgets import QApplication
 
 from app.export.pictures import PictureError, grid_picture, save_picture
 from app.folders import cache_folder
@@ -72,13 +73,24 @@ class Thumbnailer(QObject):
     def _missing(self) -> list[Path]:
         document = self._documents.current.path
         names = [self._session.study.model, *([str(document)] if document else [])]
-        return [file for file in map(thumbnail, names) if file not in self._drawn]
+        files = [thumbnail(name) for name in names if not _has_picture(name)]
+        return [file for file in files if file not in self._drawn]
 
     def _draw(self) -> None:
         meshes, missing = self._session.meshes, self._missing()
         if meshes is None or self._session.activity is not None or not missing:
             return
+        if QApplication.mouseButtons() != Qt.MouseButton.NoButton:
+            self._timer.start()
+            return
         self._drawn.update(missing)
         mesh = meshes.comparison.original
         if len(mesh.faces) <= _MOST_FACES:
             draw_thumbnail(mesh, missing)
+
+
+def _has_picture(model: str) -> bool:
+    """Whether a model has a picture that is not older than its file."""
+    picture, file = thumbnail(model), Path(model)
+    changed = file.stat().st_mtime if file.exists() else 0.0
+    return picture.exists() and picture.stat().st_mtime >= changed

@@ -1,5 +1,7 @@
 """The dialog of a figure: its preview is what comes out."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from matplotlib.image import imread
@@ -19,7 +21,8 @@ def dialog(user, ball_file):
     dialog = user.window.findChild(MontageDialog)
     user.wait(lambda: dialog.preview.image is not None)
     yield dialog
-    dialog.close()
+    for left in user.window.findChildren(MontageDialog):
+        left.close()
 
 
 def pixels(image):
@@ -44,8 +47,6 @@ def test_the_panes_their_order_and_captions_are_chosen(user, dialog):
 def test_the_preview_is_the_figure(user, dialog):
     shown = pixels(dialog.preview.image)
     dpi = shown.shape[1] / (dialog.width_box.value() / 2.54)
-    from dataclasses import replace
-
     figure = montage_figure(replace(dialog.montage(), dpi=dpi), dialog.source)
     drawn = montage_pixels(figure).astype(int)
     height, width = (min(a, b) for a, b in zip(shown.shape[:2], drawn.shape[:2], strict=True))

@@ -273,9 +273,21 @@ def test_after_a_kill_the_next_start_offers_what_was_open(killed, user, tmp_path
     assert [path.parent for path in kept] == [user.window.files.autosave.folder]
 
 
-def test_what_a_kill_left_can_be_thrown_away(killed, user, tmp_path):
-    killed.send_signal(signal.SIGKILL)
-    killed.wait()
+def test_what_a_crash_left_can_be_thrown_away(user, saved, tmp_path):
+    kept = user.window.files.autosave
+    kept.write()
+    left = kept.folder.with_name("left")
+    left.mkdir()
+    (left / "study.json").write_bytes((kept.folder / "study.json").read_bytes())
     offer_leftovers(user.window)
-    answer(user, "Discard")
-    user.wait(lambda: not list((tmp_path / "state").rglob("study.json")))
+    assert "while first.burnish was open" in answer(user, "Discard")
+    user.wait(lambda: not left.exists())
+    assert kept.folder.exists()
+
+
+def test_what_a_crash_left_broken_is_passed_over(user, saved):
+    left = user.window.files.autosave.folder.with_name("left")
+    left.mkdir()
+    (left / "study.json").write_text('{"study": "{", "document": null')
+    offer_leftovers(user.window)
+    assert not user.window.findChildren(QMessageBox)
