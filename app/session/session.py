@@ -7,8 +7,8 @@ from psygnal import Signal
 
 from app.session.history import History
 from app.session.jobs import Job, Jobs, Post
-from app.session.meshes import Meshes, MeshReader
 from app.session.merging import carried_over, sources_of
+from app.session.meshes import Meshes, MeshReader
 from app.session.runs import Run, RunKey, RunStore
 from core.comparison import Snapshot
 from core.smoothing import METHODS, DivergenceError

@@ -23,7 +23,8 @@ class Cameras:
 
     def look_from(self, preset: str) -> None:
         """Show the whole model from a preset direction."""
-        self._viewport().look_from(preset)
+        tab = self._window.tabs.currentWidget()
+        getattr(tab, "view", self._viewport()).look_from(preset)
 
     def copy(self) -> None:
         """Put the camera on the clipboard as text."""

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from PySide6.QtCore import QEvent, QObject, Qt
-from PySide6.QtGui import QAction, QKeyEvent, QKeySequence, QMouseEvent
+from PySide6.QtGui import QAction, QMouseEvent
 from PySide6.QtWidgets import QApplication
 
 from app.scene.comparing import pair
@@ -30,25 +30,27 @@ class Flicker(QObject):
     def __init__(self, tab: DenoiseTab, action: QAction) -> None:
         super().__init__(tab)
         self._tab, self._action = tab, action
-        self._held: int | None = None
+        self._held: Qt.Key | None = None
         action.setAutoRepeat(False)
-        QApplication.instance().installEventFilter(self)
+        action.installEventFilter(self)
 
     def start(self) -> None:
         """Show the other mesh, or the pane's own again if it is shown already."""
         self._tab.set_flicker(self._tab.flicker is None)
 
-    def eventFilter(self, _: QObject, event: QEvent) -> bool:
-        kind = event.type()
-        if kind == QEvent.Type.ShortcutOverride and self._is_key(event):
-            self._held = event.key()
-        elif self._held is not None and self._ends(event):
-            self._held = None
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if watched is self._action:
+            if event.type() == QEvent.Type.Shortcut:
+                self._hold(event.key()[0].key())
+        elif self._ends(event):
+            QApplication.instance().removeEventFilter(self)
             self._tab.set_flicker(False)
         return False
 
-    def _is_key(self, event: QKeyEvent) -> bool:
-        return QKeySequence(event.keyCombination()) == self._action.shortcut()
+    def _hold(self, key: Qt.Key) -> None:
+        """Wait for the release of a key, whatever has the focus then."""
+        self._held = key
+        QApplication.instance().installEventFilter(self)
 
     def _ends(self, event: QEvent) -> bool:
         """Whether the key was released, or the keyboard went to another program."""

@@ -1,6 +1,6 @@
 """Finding a name from a few of its letters."""
 
-_WORD, _RUN, _START = 8, 5, 4
+_WORD, _RUN, _START = 8, 10, 4
 _NO_LETTER = 1
 
 
@@ -27,13 +27,22 @@ def score(wanted: str, name: str) -> int | None:
     return max(best.values()) - _NO_LETTER * len(text) // 8
 
 
-def ranked(wanted: str, names: list[str]) -> list[int]:
-    """Return the places of the names that fit, the best first; without letters all in order."""
+def ranked(wanted: str, names: list[str], others: list[str] | None = None) -> list[int]:
+    """Return the places of the names that fit, the best first; without letters all in order.
+
+    `others` has a second name of each, of which the better one counts.
+    """
     if not wanted.strip():
         return list(range(len(names)))
-    scores = {place: score(wanted, name) for place, name in enumerate(names)}
+    pairs = enumerate(zip(names, others or names, strict=True))
+    scores = {place: _better(wanted, pair) for place, pair in pairs}
     fitting = [place for place, value in scores.items() if value is not None]
     return sorted(fitting, key=lambda place: -scores[place])
+
+
+def _better(wanted: str, names: tuple[str, str]) -> int | None:
+    known = [value for value in (score(wanted, name) for name in names) if value is not None]
+    return max(known, default=None)
 
 
 def _placed(letter: str, text: str, best: dict[int, int]) -> dict[int, int]:

@@ -5,22 +5,22 @@ from pathlib import Path
 
 from PySide6.QtCore import QSettings
 from PySide6.QtGui import (
-    QActionGroup,
     QCloseEvent,
     QDragEnterEvent,
     QDropEvent,
     QGuiApplication,
     QPalette,
 )
-from PySide6.QtWidgets import QMainWindow, QMenu, QTabWidget, QToolButton
+from PySide6.QtWidgets import QMainWindow, QMenu, QTabWidget
 
 from app.session import Session
 from app.ui import dialogs, saving
-from app.ui.actions import NEED_MODEL, TOOLBAR, ActionBook, escaped
+from app.ui.actions import NEED_MODEL, ActionBook, escaped
 from app.ui.denoise_tab import DenoiseTab
 from app.ui.empty_panel import EmptyPanel
 from app.ui.faults import FaultReports, show_log
 from app.ui.help import show_about, show_errata, show_reference
+from app.ui.menus import choice_menu, fill_toolbar
 from app.ui.preferences import open_preferences
 from app.ui.preferences_general import kept_budget
 from app.ui.skeleton_export import ask_for_picture
@@ -62,7 +62,8 @@ class MainWindow(QMainWindow):
         self.view_commands = ViewCommands(self)
         self.actions_ = ActionBook(self, self._handlers())
         self._fill_menus()
-        self._make_toolbar()
+        menus = {"undo": ("Sample", self._samples), "screenshot": ("Colour by", self._colours)}
+        fill_toolbar(self, self.actions_, menus)
         self.setStatusBar(StatusBar(self.session, self.actions_["cancel"]))
         self.view_commands.attach(self.actions_)
         self.empty_panel = EmptyPanel(self, self.denoise.viewport)
@@ -160,43 +161,14 @@ class MainWindow(QMainWindow):
         self._samples = samples
         view = self.actions_.menu("View")
         view.addSeparator()
-        self._colours = self._choices("&Colour by", self._colour_names(), self._set_colour)
+        self._colours = choice_menu(self, "&Colour by", self._colour_names(), self._set_colour)
         self._colours.addSeparator()
         self._colours.addAction(self.actions_["colour_bar"])
         view.addMenu(self._colours)
         view.addSeparator()
         modes = {mode: mode.capitalize() for mode in ("system", "light", "dark")}
-        self._themes = self._choices("&Theme", modes, self._set_mode)
+        self._themes = choice_menu(self, "&Theme", modes, self._set_mode)
         view.addMenu(self._themes)
-
-    def _choices(self, title: str, names: dict[str, str], use: object) -> QMenu:
-        """Make a menu of which one entry is checked; each entry's data is its key."""
-        menu = QMenu(title, self)
-        group = QActionGroup(menu)
-        for key, name in names.items():
-            action = menu.addAction(name)
-            action.setCheckable(True)
-            action.setData(key)
-            group.addAction(action)
-            action.triggered.connect(partial(use, key))
-        return menu
-
-    def _make_toolbar(self) -> None:
-        bar = self.addToolBar("Toolbar")
-        bar.setObjectName("toolbar")
-        bar.setMovable(False)
-        for command in TOOLBAR:
-            if command is None:
-                bar.addSeparator()
-            else:
-                bar.addAction(self.actions_[command])
-        for title, menu, after in (
-            ("Sample", self._samples, "undo"),
-            ("Colour by", self._colours, "screenshot"),
-        ):
-            button = QToolButton(text=title, popupMode=QToolButton.ToolButtonPopupMode.InstantPopup)
-            button.setMenu(menu)
-            bar.insertWidget(self.actions_[after], button)
 
     # -- changes
 

@@ -65,7 +65,8 @@ class CommandPalette(QDialog):
         self.line.setFocus()
 
     def _filter(self, text: str) -> None:
-        places = ranked(text, [entry.path for entry in self._all])
+        names, paths = zip(*((entry.name, entry.path) for entry in self._all), strict=True)
+        places = ranked(text, list(names), list(paths))
         self.model.show([self._all[place] for place in places])
         self.list.setCurrentIndex(self.model.index(0))
 

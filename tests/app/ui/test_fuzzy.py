@@ -23,11 +23,27 @@ def test_case_and_spaces_do_not_matter():
         ("shading", "Smooth Shading"),
         ("norm", "Normal angle"),
         ("cod", "Compare Sides"),
+        ("came", "Save Camera"),
     ],
 )
 def test_beginnings_of_words_and_runs_of_letters_come_first(wanted, first):
-    names = ["Used", "Compare Sides", "Save Denoised", "Smooth Shading", "Normal angle", "Snow rim"]
+    names = [
+        "Used",
+        "Compare Sides",
+        "Save Denoised",
+        "Smooth Shading",
+        "Normal angle",
+        "Snow rim",
+        "Save Camera",
+        "Compare Angle median",
+    ]
     assert names[ranked(wanted, names)[0]] == first
+
+
+def test_the_better_of_two_names_counts():
+    names, paths = ["Plot", "Points"], ["File › Export › Plot", "View › Points"]
+    assert ranked("plot", names, paths) == [0]
+    assert ranked("file export", names, paths) == [0]
 
 
 def test_without_letters_all_stay_in_order():
