@@ -6,6 +6,7 @@ import numpy as np
 
 from core.arrays import FloatArray, IntArray
 from core.kernels import kernel, parallel_kernel, prange
+from core.mesh.triangles import triangle_vector
 
 if TYPE_CHECKING:
     from core.mesh.triangle_mesh import TriangleMesh
@@ -19,19 +20,7 @@ def face_vectors(vertices: FloatArray, faces: IntArray) -> FloatArray:
     result = np.zeros((len(faces), 3))
     for t in prange(len(faces)):
         i, j, k = faces[t]
-        ax, ay, az = (
-            vertices[j, 0] - vertices[i, 0],
-            vertices[j, 1] - vertices[i, 1],
-            vertices[j, 2] - vertices[i, 2],
-        )
-        bx, by, bz = (
-            vertices[k, 0] - vertices[i, 0],
-            vertices[k, 1] - vertices[i, 1],
-            vertices[k, 2] - vertices[i, 2],
-        )
-        result[t, 0] = ay * bz - az * by
-        result[t, 1] = az * bx - ax * bz
-        result[t, 2] = ax * by - ay * bx
+        result[t, 0], result[t, 1], result[t, 2] = triangle_vector(vertices, i, j, k)
     return result
 
 
@@ -134,17 +123,7 @@ def shading_normals(vertices: FloatArray, faces: IntArray) -> FloatArray:
     sums = np.zeros_like(vertices)
     for t in range(len(faces)):
         i, j, k = faces[t]
-        ax, ay, az = (
-            vertices[j, 0] - vertices[i, 0],
-            vertices[j, 1] - vertices[i, 1],
-            vertices[j, 2] - vertices[i, 2],
-        )
-        bx, by, bz = (
-            vertices[k, 0] - vertices[i, 0],
-            vertices[k, 1] - vertices[i, 1],
-            vertices[k, 2] - vertices[i, 2],
-        )
-        x, y, z = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+        x, y, z = triangle_vector(vertices, i, j, k)
         for corner in faces[t]:
             sums[corner, 0] += x
             sums[corner, 1] += y

@@ -8,6 +8,7 @@ import numpy as np
 
 from core.arrays import FloatArray, IntArray
 from core.kernels import kernel
+from core.mesh.triangles import triangle_vector
 
 
 @kernel
@@ -77,17 +78,7 @@ def polygon_moments(polygon: FloatArray, count: int) -> tuple[float, float, floa
 
 @kernel
 def _triangle_area(vertices: FloatArray, i: int, j: int, k: int) -> float:
-    ax, ay, az = (
-        vertices[j, 0] - vertices[i, 0],
-        vertices[j, 1] - vertices[i, 1],
-        vertices[j, 2] - vertices[i, 2],
-    )
-    bx, by, bz = (
-        vertices[k, 0] - vertices[i, 0],
-        vertices[k, 1] - vertices[i, 1],
-        vertices[k, 2] - vertices[i, 2],
-    )
-    x, y, z = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+    x, y, z = triangle_vector(vertices, i, j, k)
     area: float = np.sqrt(x * x + y * y + z * z) / 2
     return area
 

@@ -4,6 +4,7 @@ import numpy as np
 
 from core.arrays import FloatArray, IntArray
 from core.kernels import parallel_kernel, prange
+from core.mesh.triangles import triangle_vector
 
 
 @parallel_kernel
@@ -48,17 +49,7 @@ def areas_and_normals(vertices: FloatArray, faces: IntArray) -> tuple[FloatArray
     normals = np.zeros((len(faces), 3))
     for t in prange(len(faces)):
         i, j, k = faces[t]
-        ax, ay, az = (
-            vertices[j, 0] - vertices[i, 0],
-            vertices[j, 1] - vertices[i, 1],
-            vertices[j, 2] - vertices[i, 2],
-        )
-        bx, by, bz = (
-            vertices[k, 0] - vertices[i, 0],
-            vertices[k, 1] - vertices[i, 1],
-            vertices[k, 2] - vertices[i, 2],
-        )
-        x, y, z = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+        x, y, z = triangle_vector(vertices, i, j, k)
         length = np.sqrt(x * x + y * y + z * z)
         if length > 0:
             areas[t] = length / 2

@@ -1,0 +1,16 @@
+"""The vector of a triangle, which areas, normals and angles are made of."""
+
+from core.arrays import FloatArray
+from core.kernels import kernel
+
+
+@kernel
+def triangle_vector(vertices: FloatArray, i: int, j: int, k: int) -> tuple[float, float, float]:
+    """(vⱼ − vᵢ) × (vₖ − vᵢ): twice the area times the unit normal of a triangle."""
+    ax = vertices[j, 0] - vertices[i, 0]
+    ay = vertices[j, 1] - vertices[i, 1]
+    az = vertices[j, 2] - vertices[i, 2]
+    bx = vertices[k, 0] - vertices[i, 0]
+    by = vertices[k, 1] - vertices[i, 1]
+    bz = vertices[k, 2] - vertices[i, 2]
+    return ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
