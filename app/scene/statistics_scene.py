@@ -22,7 +22,7 @@ SCENE_SHAPE = (1, 3)
 """Shape a plotter needs: two models and the colour bar."""
 
 _BAR_PIXELS = 84.0
-_RADIUS = 0.95
+_RADIUS = 1.05
 _LIT_COLOUR = {False: "#e4007c", True: "#ffd23f"}
 _NOWHERE = Viewport(0.0, 0.0, 0.0, 0.0)
 
