@@ -77,13 +77,15 @@ def test_printed_diffusion_diverges_in_pane_plot_table_and_panel(user, shared_mo
     assert caption.startswith("diverged at iteration ")
     iteration = int(caption.split()[3])
     block = user.denoise.methods.blocks["diffusion"]
-    assert f"diverged at iteration {iteration}" in block.state.text()
-    assert f"diverged at iteration {iteration}" in table_text(user)
-    texts = {
-        text.get_text() for text in user.denoise.plot.figure.findobj() if hasattr(text, "get_text")
-    }
-    assert any("diverged" in text for text in texts)
+    user.wait(lambda: f"diverged at iteration {iteration}" in block.state.text())
+    user.wait(lambda: f"diverged at iteration {iteration}" in table_text(user))
+    user.wait(lambda: any("diverged" in text for text in plot_texts(user)))
     assert user.captions()["median"].startswith("k = 6 ")
+
+
+def plot_texts(user):
+    artists = user.denoise.plot.figure.findobj()
+    return {artist.get_text() for artist in artists if hasattr(artist, "get_text")}
 
 
 def table_text(user):
