@@ -77,10 +77,12 @@ def _geodesic(series: Sequence[Series]) -> str:
         return "How far the vertices are from each other along the surface."
     peaks = _beside(_peaks(one.modes) for one in known)
     lost = _beside(f"{one.unreachable_pairs:,} of {one.pairs:,}" for one in known)
-    rest = f" No path: {lost} pairs." if any(one.unreachable_pairs for one in known) else ""
+    # What is missing matters more than how to read the rest; both do not fit under the plot.
+    if any(one.unreachable_pairs for one in known):
+        return f"How far vertices are from each other: {peaks}. No path: {lost} pairs."
     return (
         f"How far vertices are from each other: {peaks}. "
-        f"Limbs and humps give further peaks or shoulders.{rest}"
+        "Limbs and humps give further peaks or shoulders."
     )
 
 
