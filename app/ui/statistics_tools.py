@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from functools import partial
+from hashlib import sha256
 from pathlib import Path
 
 from platformdirs import user_cache_path
@@ -32,8 +33,10 @@ def remesh(session: Session, tool: str) -> None:
     mesh, name = session.meshes.comparison.original, Path(session.meshes.name).stem
 
     def steps() -> Iterator[Path]:
-        folder = user_cache_path("burnish", ensure_exists=True) / "remeshed"
-        folder.mkdir(exist_ok=True)
+        # Undo goes back to the file, so no other model of that name may take its place.
+        digest = sha256(mesh.vertices.tobytes() + mesh.faces.tobytes()).hexdigest()[:16]
+        folder = user_cache_path("burnish") / "remeshed" / digest
+        folder.mkdir(parents=True, exist_ok=True)
         path = folder / f"{name}_{tool}.ply"
         save_mesh(make(mesh), path)
         yield path
