@@ -94,6 +94,11 @@ class SkeletonSettings(Params):
         False, help="Draw the spheres or ellipsoids on which the field is constant."
     )
 
+    @property
+    def drawing(self) -> "SkeletonSettings":
+        """How graphs are drawn, whichever they are: equal drawings look the same."""
+        return self.model_copy(update={"views": SkeletonSettings().views, "compare": True})
+
     def with_view(self, index: int, view: SkeletonView) -> "SkeletonSettings":
         """Return the settings with one view replaced."""
         views = tuple(view if i == index else old for i, old in enumerate(self.views))
@@ -119,6 +124,10 @@ class Study(Params):
     def metrics(self) -> dict[str, MetricSpec]:
         """All metrics by id, in the units of the study."""
         return metrics_in(model_units=self.model_units)
+
+    def compares_like(self, other: "Study") -> bool:
+        """Whether both show the same comparison, whatever skeletons they show."""
+        return self.model_copy(update={"skeleton": other.skeleton}) == other
 
     def choice(self, method: str) -> MethodChoice:
         """Return the choice made for a method; one that the study leaves out is not enabled."""

@@ -6,7 +6,7 @@ from vtkmodules.vtkFiltersCore import vtkTubeFilter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkGlyph3DMapper
 
 from app.scene.skeleton_colours import node_colours
-from app.scene.skeleton_panes import SkeletonLook, SkeletonPane, grown_nodes, model_size
+from app.scene.skeleton_panes import SkeletonLook, SkeletonPane, grown_nodes
 from app.session.skeleton_maker import Skeleton
 from core.arrays import BoolArray, FloatArray
 
@@ -26,7 +26,7 @@ def node_radius(skeleton: Skeleton, size: float) -> float:
     ends = graph.nodes[graph.surface_arcs]
     lengths = np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1)
     median = float(np.median(lengths)) if len(lengths) else np.inf
-    model = model_size(skeleton)
+    model = skeleton.size
     return size * float(np.clip(_SHARE_OF_ARC * median, _SMALLEST * model, _LARGEST * model))
 
 

@@ -8,7 +8,6 @@ from app.scene.colours import LIGHT, Theme
 from app.session.skeleton_maker import Skeleton
 from core.arrays import BoolArray, FloatArray
 from core.fields import FIELDS
-from core.mesh.geometry import bounding_box
 from core.parameters import describe
 from core.skeleton import SkeletalGraph
 from core.smoothing import METHODS
@@ -123,7 +122,7 @@ def node_text(skeleton: Skeleton, node: int) -> str:
     """What is known of a node: band, area, size, position."""
     graph = skeleton.graph
     # A millionth of the model is as good as nothing.
-    decimals = 6 - int(np.floor(np.log10(max(model_size(skeleton), 1e-300))))
+    decimals = 6 - int(np.floor(np.log10(max(skeleton.size, 1e-300))))
     place = ", ".join(f"{x:.4g}" for x in np.round(graph.nodes[node], decimals) + 0.0)
     if node == graph.root:
         return f"root   at ({place})"
@@ -139,9 +138,3 @@ def node_text(skeleton: Skeleton, node: int) -> str:
 def grown_nodes(graph: SkeletalGraph, step: int | None) -> BoolArray:
     """Whether each node has grown after `step` bands, (k,); the root always has."""
     return np.asarray(graph.band < (graph.resolution if step is None else step), np.bool_)
-
-
-def model_size(skeleton: Skeleton) -> float:
-    """Diagonal of the surface's bounding box."""
-    low, high = bounding_box(skeleton.mesh.vertices)
-    return float(np.linalg.norm(high - low))

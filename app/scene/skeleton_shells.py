@@ -3,7 +3,7 @@
 import numpy as np
 import pyvista as pv
 
-from app.scene.skeleton_panes import SkeletonLook, SkeletonPane, model_size
+from app.scene.skeleton_panes import SkeletonLook, SkeletonPane
 from app.scene.skeleton_surface import surface_data
 from app.session.skeleton_maker import Skeleton
 from core.arrays import FloatArray, IntArray
@@ -83,7 +83,7 @@ def _plane(skeleton: Skeleton, centre: FloatArray, height: float) -> tuple[Float
     direction /= np.linalg.norm(direction)
     across = np.linalg.svd(direction[None])[2][1:]
     signs = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
-    corners = centre + height * direction + 0.4 * model_size(skeleton) * signs @ across
+    corners = centre + height * direction + 0.4 * skeleton.size * signs @ across
     return corners, np.array([[0, 1, 2], [0, 2, 3]], np.int32)
 
 

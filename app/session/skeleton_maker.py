@@ -13,6 +13,7 @@ from scipy.spatial import cKDTree
 from core.arrays import FloatArray
 from core.fields import ScalarField, scalar_field
 from core.mesh import TriangleMesh
+from core.mesh.geometry import bounding_box
 from core.mesh.remesh import decimated
 from core.skeleton import (
     ComponentSurface,
@@ -89,6 +90,8 @@ class Skeleton:
         Loops beside the genus, component by component.
     seconds : float
         Time from the field to the graph with its curves.
+    size : float
+        Diagonal of the surface's bounding box.
     sketch : Sketch or None
         Coarse copy of a large surface.
     """
@@ -101,6 +104,7 @@ class Skeleton:
     curves: LevelCurves
     checks: tuple[LoopCheck, ...]
     seconds: float
+    size: float = 0.0
     sketch: Sketch | None = None
 
     @property
@@ -135,6 +139,7 @@ class SkeletonMaker:
         self._meshes = _Kept(_FEW)
         self._surfaces = _Kept(_FEW)
         self._sketches = _Kept(_FEW)
+        self._sizes = _Kept(_FEW)
         self._fields = _Kept(_FEW)
         self._rules = _Kept(_FEW)
         self._graphs = _Kept(_MANY)
@@ -154,12 +159,13 @@ class SkeletonMaker:
         )
         surfaces = self._component_surfaces(source, view)
         sketch = self._sketches.get(_mesh_key(source, view), lambda: sketch_of(mesh))
-        return self._graphs.get(
-            (key, view.model_dump_json()),
-            lambda: replace(
-                _draw(view, mesh, field, rule(view.resolution), surfaces), sketch=sketch
-            ),
-        )
+        size = self._sizes.get(_mesh_key(source, view), lambda: diagonal(mesh))
+
+        def draw() -> Skeleton:
+            drawn = _draw(view, mesh, field, rule(view.resolution), surfaces)
+            return replace(drawn, size=size, sketch=sketch)
+
+        return self._graphs.get((key, view.model_dump_json()), draw)
 
     def mesh(self, source: SkeletonSource, view: SkeletonView) -> TriangleMesh:
         """Return the surface of a view, decimated as it asks."""
@@ -177,6 +183,12 @@ class SkeletonMaker:
     ) -> tuple[ComponentSurface, ...]:
         mesh = self.mesh(source, view)
         return self._surfaces.get(mesh.topology, lambda: component_surfaces(mesh))
+
+
+def diagonal(mesh: TriangleMesh) -> float:
+    """Diagonal of a surface's bounding box."""
+    low, high = bounding_box(mesh.vertices)
+    return float(np.linalg.norm(high - low))
 
 
 def sketch_of(mesh: TriangleMesh) -> Sketch | None:

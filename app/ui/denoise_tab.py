@@ -17,6 +17,7 @@ from app.ui.model_panel import ModelPanel
 from app.ui.results_table import ResultsTable
 from app.ui.viewport import Viewport
 from core.smoothing import METHODS
+from core.study import Study
 
 _REDRAW_MS = 30
 _BOTTOM_HEIGHT = 230
@@ -48,6 +49,7 @@ class DenoiseTab(QMainWindow):
         self._scene = ComparisonScene(session)
         self._fresh_model = True
         self._laid_out = False
+        self._busy = False
         self._redraw_timer = QTimer(self, singleShot=True, interval=_REDRAW_MS)
         self._redraw_timer.timeout.connect(self._redraw)
         self._make_panels()
@@ -157,7 +159,8 @@ class DenoiseTab(QMainWindow):
             self._redraw_timer.start(max(_REDRAW_MS, round(1000 * pause)))
 
     def _on_activity_changed(self) -> None:
-        if self.session.activity is None:
+        was_busy, self._busy = self._busy, self.session.activity is not None
+        if was_busy and not self._busy:
             self._soon()
 
     def _soon(self) -> None:
@@ -166,8 +169,8 @@ class DenoiseTab(QMainWindow):
     def _on_meshes_changed(self) -> None:
         self._soon()
 
-    def _on_study_changed(self, study: object, before: object) -> None:
-        if study.model_copy(update={"skeleton": before.skeleton}) == before:
+    def _on_study_changed(self, study: Study, before: Study) -> None:
+        if study.compares_like(before):
             return
         self._fresh_model |= study.model != before.model
         self._soon()

@@ -16,6 +16,7 @@ from app.ui.controls import Coalesced
 from app.ui.help import HelpButton
 from app.ui.plot_canvas import PlotCanvas
 from core.metrics import METRICS
+from core.study import Study
 
 _REDRAW_MS = 60
 
@@ -116,7 +117,7 @@ class ErrorPlot(QWidget):
         self.log_box.toggled.connect(self._redraw_soon.request)
         self.units_box.toggled.connect(self._choose_units)
         self.canvas.pressed.connect(self.selected)
-        self._session.study_changed.connect(self._refresh)
+        self._session.study_changed.connect(self._on_study_changed)
         self._session.meshes_changed.connect(self._redraw_soon.request)
         self._session.run_changed.connect(self._redraw_soon.request)
 
@@ -128,7 +129,11 @@ class ErrorPlot(QWidget):
         study = self._session.study.model_copy(update={"model_units": model_units})
         self._session.apply(study, "Units of the errors")
 
-    def _refresh(self, *_: object) -> None:
+    def _on_study_changed(self, study: Study, before: Study) -> None:
+        if not study.compares_like(before):
+            self._refresh()
+
+    def _refresh(self) -> None:
         metric = self._session.study.metrics[self._session.study.metric]
         with QSignalBlocker(self.metric_box):
             self.metric_box.setCurrentIndex(self.metric_box.findData(metric.id))

@@ -28,6 +28,7 @@ from app.export.tables import (
 from app.session import Session
 from app.ui.controls import Coalesced
 from app.ui.results_model import NOTE, TITLE, ResultsModel
+from core.study import Study
 
 _REFRESH_MS = 80
 _NARROWEST_TITLE = 74
@@ -119,8 +120,9 @@ class ResultsTable(QWidget):
         layout.addWidget(self.view)
         self.view.selectionModel().currentRowChanged.connect(self._on_row)
         self._refresh_soon = Coalesced(self._refresh, _REFRESH_MS, self)
-        for signal in (session.study_changed, session.meshes_changed, session.run_changed):
+        for signal in (session.meshes_changed, session.run_changed):
             signal.connect(self._refresh_soon.request)
+        session.study_changed.connect(self._on_study_changed)
         self._refresh()
 
     def set_selected(self, method: str | None) -> None:
@@ -154,6 +156,10 @@ class ResultsTable(QWidget):
                 action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
             self.view.addAction(action)
         self.view.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
+
+    def _on_study_changed(self, study: Study, before: Study) -> None:
+        if not study.compares_like(before):
+            self._refresh_soon.request()
 
     def _refresh(self) -> None:
         meshes = self._session.meshes

@@ -66,7 +66,7 @@ class SkeletonTab(QMainWindow):
         settings = self.session.study.skeleton
         shown = self.views.shown
         chosen = shown.index(self.selected) if self.selected in shown else 0
-        look = SkeletonLook(settings, self._theme, text_scale, chosen)
+        look = SkeletonLook(settings.drawing, self._theme, text_scale, chosen)
         if self.session.meshes is None:
             return [], look
         return [self._pane(view) for view in shown], look

@@ -14,8 +14,10 @@ from app.ui.interactor import Interactor
 
 _CLICK_PIXELS = 4
 _REST_MS = 300
-_SLOW_SECONDS = 0.35
-_TRIALS = 2
+# Depth peeling takes about this many times as long as a drawing without it, and the window waits
+# meanwhile: where that would be felt, the picture at rest stays without it.
+_PEELING_FACTOR = 5.0
+_FELT_SECONDS = 0.25
 
 
 class SkeletonViewport(QWidget):
@@ -41,7 +43,7 @@ class SkeletonViewport(QWidget):
         self._pressed: QPoint | None = None
         self._changed: list[bool] | None = None
         self._started = 0.0
-        self._peelings: list[float] = []
+        self._resting = False
         self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
         self._rest.timeout.connect(self._draw_precisely)
         window = self.interactor.render_window
@@ -123,8 +125,10 @@ class SkeletonViewport(QWidget):
     def _after_drawing(self, *_: object) -> None:
         self._changed = None
         self.grid.draw_only(None)
-        if self.grid.precise:
-            self._peelings.append(time.perf_counter() - self._started)
+        seconds = time.perf_counter() - self._started
+        if self._resting and _PEELING_FACTOR * seconds < _FELT_SECONDS:
+            self._draw_at_rest(precise=True)
+        self._resting = False
 
     def _move(self) -> None:
         """Draw everything, since the camera moves."""
@@ -133,17 +137,21 @@ class SkeletonViewport(QWidget):
 
     def _hurry(self) -> None:
         """Draw fast while something moves, and precisely once it rests."""
+        self._resting = False
         self.grid.set_precise(False)
         self._rest.start()
 
     def _draw_precisely(self) -> None:
-        """Draw as exactly as the machine can without making the window wait."""
+        """Draw the surface itself; how long that takes tells whether peeling would be felt."""
         if QGuiApplication.mouseButtons() != Qt.MouseButton.NoButton:
             self._rest.start()
             return
+        self._draw_at_rest(precise=False)
+        self._resting = True
+
+    def _draw_at_rest(self, *, precise: bool) -> None:
         self._changed = None
-        fast = len(self._peelings) < _TRIALS or min(self._peelings) < _SLOW_SECONDS
-        self.grid.set_precise(fast, coarse=False)
+        self.grid.set_precise(precise, coarse=False)
         self.interactor.update()
 
     def _redraw(self) -> None:

@@ -27,6 +27,13 @@ def test_a_study_survives_json(ball_file):
     assert Study.model_validate_json(study.model_dump_json()) == study
 
 
+def test_skeletons_do_not_make_another_comparison(ball_file):
+    study = Study(model=str(ball_file))
+    skeleton = study.skeleton.model_copy(update={"opacity": 0.5})
+    assert study.model_copy(update={"skeleton": skeleton}).compares_like(study)
+    assert not study.model_copy(update={"metric": "vertex_rms"}).compares_like(study)
+
+
 def test_a_study_is_frozen():
     with pytest.raises(ValueError, match="frozen"):
         Study().model = "other"

@@ -110,6 +110,18 @@ def test_a_dragged_slider_redraws_and_is_one_step_of_undo(qtbot, tab, settle):
     assert slider.value() == 22
 
 
+def test_one_views_resolution_leaves_the_other_view_as_it_is(qtbot, tab, settle):
+    before, look = tab.panes(1.0)
+    slider = tab.centre.resolutions[1].slider
+    slider.setFocus()
+    qtbot.keyClick(slider, Qt.Key.Key_Left)
+    settle()
+    after, same_look = tab.panes(1.0)
+    assert same_look == look
+    assert after[0].skeleton is before[0].skeleton
+    assert after[1].skeleton is not before[1].skeleton
+
+
 def test_auto_chooses_a_resolution(qtbot, tab, settle):
     click(qtbot, tab.centre.resolutions[1].automatic)
     qtbot.waitUntil(lambda: view(tab).resolution != 22, timeout=LONG)
