@@ -17,6 +17,8 @@ from core.skeleton import LoopCheck
 
 _HEADS = ("Part", "Loops", "Genus", "Why")
 _MOST = 200
+_ROW_HEIGHT = 22
+_ROWS_IN_SIGHT = 6
 
 
 class FactsPanel(QWidget):
@@ -35,9 +37,8 @@ class FactsPanel(QWidget):
         self.table = QTableWidget(0, len(_HEADS))
         self.table.setHorizontalHeaderLabels(_HEADS)
         self.table.verticalHeader().hide()
-        self.table.verticalHeader().setDefaultSectionSize(22)
+        self.table.verticalHeader().setDefaultSectionSize(_ROW_HEIGHT)
         self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.table.setMinimumHeight(90)
         head = self.table.horizontalHeader()
         head.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         head.setStretchLastSection(True)
@@ -51,7 +52,9 @@ class FactsPanel(QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         for widget in (self.notes, self.table, self.check, self.outcome):
             layout.addWidget(widget)
+        layout.addStretch()
         self.outcome.hide()
+        self._fit_table()
 
     def show_skeleton(self, skeleton: Skeleton | None) -> None:
         """Show the numbers of a graph."""
@@ -64,11 +67,18 @@ class FactsPanel(QWidget):
         for row, check in enumerate(checks[:_MOST]):
             for column, text in enumerate(_cells(row, check)):
                 self.table.setItem(row, column, _item(text))
+        self._fit_table()
 
     def show_outcome(self, text: str) -> None:
         """Show what a check of invariance found."""
         self.outcome.setText(text)
         self.outcome.setVisible(bool(text))
+
+    def _fit_table(self) -> None:
+        """Make the table as high as its rows, so that the button below stays in sight."""
+        rows = min(max(self.table.rowCount(), 1), _ROWS_IN_SIGHT)
+        head = self.table.horizontalHeader().sizeHint().height()
+        self.table.setFixedHeight(head + rows * _ROW_HEIGHT + 2 * self.table.frameWidth())
 
 
 def _cells(row: int, check: LoopCheck) -> tuple[str, ...]:
