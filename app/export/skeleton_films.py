@@ -4,8 +4,6 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
-import imageio.v2 as imageio
-
 from app.export.pictures import Picture, PictureError
 
 FILM_SUFFIXES = (".gif", ".mp4")
@@ -40,6 +38,8 @@ def write_film(path: Path, frames: Iterable[Picture], per_second: float) -> Iter
 
 
 def _writer(path: Path, per_second: float) -> Any:
+    import imageio.v2 as imageio  # late, because its import takes a while
+
     suffix = path.suffix.lower()
     if suffix == ".gif":
         return imageio.get_writer(path, duration=1000 / per_second, loop=0)

@@ -4,7 +4,6 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal, NamedTuple
 
-import networkx as nx
 import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import coo_array
@@ -162,6 +161,8 @@ class SkeletalGraph:
         Nodes carry x, y, z, band, area, component and kind; the graph carries field, bands,
         resolution and, where there is one, root.
         """
+        import networkx as nx
+
         graph = nx.Graph(field=self.field, bands=self.bands, resolution=self.resolution)
         if self.root is not None:
             graph.graph["root"] = self.root

@@ -4,7 +4,6 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-import networkx as nx
 import numpy as np
 from numpy.typing import NDArray
 
@@ -117,6 +116,8 @@ class ReebGraph:
 
         Nodes carry vertex, x, y, z, value and kind; arcs carry length.
         """
+        import networkx as nx
+
         graph = nx.MultiGraph()
         for node, (x, y, z) in enumerate(self.nodes.tolist()):
             graph.add_node(

@@ -3,8 +3,6 @@
 import json
 import math
 
-import networkx as nx
-
 from core.skeleton.export.record import Heading, graph_from
 from core.skeleton.graph import GraphError, SkeletalGraph
 
@@ -23,6 +21,8 @@ def to_text(graph: SkeletalGraph) -> str:
     GraphError
         If the graph has loops, be it through the root.
     """
+    import networkx as nx
+
     net = graph.to_networkx()
     trees = list(nx.connected_components(net))
     loops = len(graph.arcs) - len(graph.nodes) + len(trees)
