@@ -17,7 +17,7 @@ def cauchy_weights(
 
     |∇vᵢ|² = Σⱼ ‖vⱼ − vᵢ‖²/dᵢ, which does not depend on the origin.
     """
-    weights = np.zeros(len(vertices))
+    weights = np.empty(len(vertices))
     factor = (scale / c) ** 2
     for i in prange(len(vertices)):
         total = 0.0
@@ -44,7 +44,7 @@ def printed_cauchy_weights(
     |∇vᵢ|² = Σⱼ ‖vᵢ/√dᵢ − vⱼ/√dⱼ‖², which depends on the origin where degrees differ; `roots` are
     the 1/√dᵢ. Both agree where all degrees are equal.
     """
-    weights = np.zeros(len(vertices))
+    weights = np.empty(len(vertices))
     factor = (scale / c) ** 2
     for i in prange(len(vertices)):
         ax, ay, az = roots[i] * vertices[i, 0], roots[i] * vertices[i, 1], roots[i] * vertices[i, 2]
@@ -58,7 +58,7 @@ def printed_cauchy_weights(
     return weights
 
 
-def inverse_roots(starts: IntArray) -> FloatArray:
+def inverse_roots(degrees: IntArray) -> FloatArray:
     """Factor 1/√dᵢ of each vertex, (m,); 1 for a vertex without neighbours."""
-    roots: FloatArray = 1 / np.sqrt(np.maximum(np.diff(starts), 1))
+    roots: FloatArray = 1 / np.sqrt(np.maximum(degrees, 1))
     return roots

@@ -3,23 +3,24 @@
 import numpy as np
 
 from core.arrays import FloatArray, IntArray
-from core.kernels import parallel_kernel, prange
+from core.kernels import parallel_kernel, prange, unsigned
 from core.mesh import TriangleMesh
 from core.mesh.geometry import face_vectors
+from core.mesh.triangles import triangle_vector
+from core.metrics.arctangent import angle_of
 from core.metrics.spec import MetricSpec
 
 
 @parallel_kernel
-def _angles(first: FloatArray, second: FloatArray) -> FloatArray:
-    """Angle between corresponding rows in degrees; 0 where one of them has no length."""
-    angles = np.zeros(len(first))
-    for t in prange(len(first)):
-        ax, ay, az = first[t, 0], first[t, 1], first[t, 2]
-        bx, by, bz = second[t, 0], second[t, 1], second[t, 2]
+def _angles(vertices: FloatArray, faces: IntArray, vectors: FloatArray) -> FloatArray:
+    """Angle between each face's normal and its vector in degrees; 0 where one has no length."""
+    angles = np.empty(len(faces))
+    for t in prange(len(faces)):
+        ax, ay, az = vectors[t, 0], vectors[t, 1], vectors[t, 2]
+        bx, by, bz = triangle_vector(vertices, faces[t, 0], faces[t, 1], faces[t, 2])
         cx, cy, cz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
-        # atan2 keeps its precision for nearly equal normals, where acos loses it.
         sine = np.sqrt(cx * cx + cy * cy + cz * cz)
-        angles[t] = np.degrees(np.arctan2(sine, ax * bx + ay * by + az * bz))
+        angles[t] = np.degrees(angle_of(sine, ax * bx + ay * by + az * bz))
     return angles
 
 
@@ -27,8 +28,8 @@ class NormalAngleEvaluator:
     """Mean of ∠(n(tᵢ), n(t̂ᵢ)) over all faces, against one original."""
 
     def __init__(self, original: TriangleMesh) -> None:
-        self._faces: IntArray = original.faces
-        self._vectors: FloatArray = face_vectors(original.vertices, original.faces)
+        (self._faces,) = unsigned(original.faces)
+        self._vectors: FloatArray = face_vectors(original.vertices, self._faces)
 
     def value(self, vertices: FloatArray) -> float:
         """Return the mean of `elements`."""
@@ -36,7 +37,7 @@ class NormalAngleEvaluator:
 
     def elements(self, vertices: FloatArray) -> FloatArray:
         """Return the angle of each face in degrees, (n,); 0 for a face without area."""
-        angles: FloatArray = _angles(self._vectors, face_vectors(vertices, self._faces))
+        angles: FloatArray = _angles(vertices, self._faces, self._vectors)
         return angles
 
 

@@ -3,8 +3,19 @@
 import numpy as np
 
 from core.arrays import FloatArray
+from core.kernels import parallel_kernel, prange
 from core.mesh import TriangleMesh
 from core.metrics.spec import MetricSpec
+
+
+@parallel_kernel
+def _square_distances(first: FloatArray, second: FloatArray) -> float:
+    """Σᵢ ‖vᵢ − v̂ᵢ‖²."""
+    total = 0.0
+    for i in prange(len(first)):
+        for x in range(3):
+            total += (first[i, x] - second[i, x]) ** 2
+    return total
 
 
 class VertexRmsEvaluator:
@@ -24,8 +35,8 @@ class VertexRmsEvaluator:
 
     def value(self, vertices: FloatArray) -> float:
         """Return the root mean square of `elements`."""
-        difference = (vertices - self._vertices).ravel()
-        return float(np.sqrt(difference @ difference / max(len(vertices), 1)) / self._unit)
+        mean = _square_distances(vertices, self._vertices) / max(len(vertices), 1)
+        return float(np.sqrt(mean) / self._unit)
 
     def elements(self, vertices: FloatArray) -> FloatArray:
         """Return the distance ‖vᵢ − v̂ᵢ‖ of each vertex in ℓ̄, (m,)."""

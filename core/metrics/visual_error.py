@@ -3,10 +3,20 @@
 import numpy as np
 
 from core.arrays import FloatArray, IntArray
-from core.kernels import parallel_kernel, prange
+from core.kernels import parallel_kernel, prange, unsigned
 from core.mesh import TriangleMesh
 from core.mesh.gradient import CAUCHY_CONSTANT, inverse_roots, printed_cauchy_weights
 from core.metrics.spec import MetricSpec
+
+
+@parallel_kernel
+def _in_frame(vertices: FloatArray, origin: FloatArray, scale: float) -> FloatArray:
+    """Scale the vertices about the origin, (m, 3)."""
+    placed = np.empty_like(vertices)
+    for i in prange(len(vertices)):
+        for x in range(3):
+            placed[i, x] = scale * (vertices[i, x] - origin[x])
+    return placed
 
 
 @parallel_kernel
@@ -14,7 +24,7 @@ def _diffusion_operator(
     vertices: FloatArray, starts: IntArray, items: IntArray, weights: FloatArray
 ) -> FloatArray:
     """𝒜(vᵢ) = (1/dᵢ) Σⱼ (vᵢ − vⱼ)(g(|∇vᵢ|) + g(|∇vⱼ|)), (m, 3)."""
-    result = np.zeros_like(vertices)
+    result = np.empty_like(vertices)
     for i in prange(len(vertices)):
         x = y = z = 0.0
         for j in items[starts[i] : starts[i + 1]]:
@@ -37,7 +47,7 @@ def _half_squares(
     weights: FloatArray,
 ) -> FloatArray:
     """(‖vᵢ − v̂ᵢ‖² + ‖𝒜(vᵢ) − 𝒜(v̂ᵢ)‖²)/2 of each vertex, (m,), in one pass over the rings."""
-    result = np.zeros(len(vertices))
+    result = np.empty(len(vertices))
     for i in prange(len(vertices)):
         x = y = z = 0.0
         for j in items[starts[i] : starts[i + 1]]:
@@ -67,8 +77,8 @@ class VisualErrorEvaluator:
     """
 
     def __init__(self, original: TriangleMesh, *, model_units: bool = False) -> None:
-        self._ring = original.topology.vertex_ring
-        self._roots = inverse_roots(self._ring.starts)
+        self._ring = unsigned(*original.topology.vertex_ring)
+        self._roots = inverse_roots(original.degrees)
         self._origin = np.zeros(3) if model_units else original.vertices.mean(axis=0)
         self._scale = 1.0 if model_units else 1.0 / (original.mean_edge_length or 1.0)
         self._vertices = self._in_frame(original.vertices)
@@ -77,7 +87,8 @@ class VisualErrorEvaluator:
         )
 
     def _in_frame(self, vertices: FloatArray) -> FloatArray:
-        return (vertices - self._origin) * self._scale
+        placed: FloatArray = _in_frame(vertices, self._origin, self._scale)
+        return placed
 
     def _weights(self, placed: FloatArray) -> FloatArray:
         weights: FloatArray = printed_cauchy_weights(

@@ -5,9 +5,10 @@ from collections.abc import Iterator
 import numpy as np
 
 from core.arrays import FloatArray, IntArray
-from core.kernels import kernel, parallel_kernel, prange
+from core.kernels import kernel, parallel_kernel, prange, unsigned
 from core.mesh import TriangleMesh
 from core.parameters import Params, param
+from core.smoothing.exponential import falling_exponential
 from core.smoothing.normal_update import areas_and_normals
 from core.smoothing.spec import MethodSpec
 
@@ -58,7 +59,7 @@ def _move_along_normals(
     sigma_c: float,
     sigma_s: float,
 ) -> FloatArray:
-    moved = vertices.copy()
+    moved = np.empty_like(vertices)
     closeness, similarity = -0.5 / sigma_c**2, -0.5 / sigma_s**2
     for i in prange(len(vertices)):
         nx, ny, nz = _vertex_normal(face_normals, face_items[face_starts[i] : face_starts[i + 1]])
@@ -70,15 +71,15 @@ def _move_along_normals(
                 vertices[j, 2] - vertices[i, 2],
             )
             height = nx * dx + ny * dy + nz * dz
-            weight = np.exp(
+            weight = falling_exponential(
                 closeness * (dx * dx + dy * dy + dz * dz) + similarity * height * height
             )
             total += weight
             offset += weight * height
-        if total > 0:
-            moved[i, 0] += nx * offset / total
-            moved[i, 1] += ny * offset / total
-            moved[i, 2] += nz * offset / total
+        height = offset / total if total > 0 else 0.0
+        moved[i, 0] = vertices[i, 0] + height * nx
+        moved[i, 1] = vertices[i, 1] + height * ny
+        moved[i, 2] = vertices[i, 2] + height * nz
     return moved
 
 
@@ -108,12 +109,13 @@ def _heights(
 def automatic_widths(mesh: TriangleMesh, params: BilateralParams) -> tuple[float, float]:
     """Widths (σc, σs) in model units: those given, else ℓ̄ and the deviation of the heights."""
     unit = mesh.mean_edge_length or 1.0
-    normals = areas_and_normals(mesh.vertices, mesh.faces)[1]
-    topology = mesh.topology
+    (faces,) = unsigned(mesh.faces)
+    rings = unsigned(*mesh.topology.vertex_faces, *mesh.topology.vertex_ring)
+    normals = areas_and_normals(mesh.vertices, faces)[1]
     sigma_c = unit * (1.0 if params.sigma_c is None else params.sigma_c)
     if params.sigma_s is not None:
         return sigma_c, unit * params.sigma_s
-    heights = _heights(mesh.vertices, normals, *topology.vertex_faces, *topology.vertex_ring)
+    heights = _heights(mesh.vertices, normals, *rings)
     spread = float(heights.std()) if len(heights) else 0.0
     # A flat model has no heights; any positive width then leaves it as it is.
     return sigma_c, max(spread, 1e-9 * unit)
@@ -150,14 +152,13 @@ def steps(mesh: TriangleMesh, params: BilateralParams) -> Iterator[FloatArray]:
     Zhang, *Geometric Smoothing and Modeling of 3D Graphics*, §2.3.4.
     Fleishman, Drori, Cohen-Or, *Bilateral mesh denoising*, SIGGRAPH 2003.
     """
-    topology = mesh.topology
+    (faces,) = unsigned(mesh.faces)
+    rings = unsigned(*mesh.topology.vertex_faces, *mesh.topology.vertex_ring)
     sigma_c, sigma_s = automatic_widths(mesh, params)
     vertices = mesh.vertices
     while True:
-        normals = areas_and_normals(vertices, mesh.faces)[1]
-        vertices = _move_along_normals(
-            vertices, normals, *topology.vertex_faces, *topology.vertex_ring, sigma_c, sigma_s
-        )
+        normals = areas_and_normals(vertices, faces)[1]
+        vertices = _move_along_normals(vertices, normals, *rings, sigma_c, sigma_s)
         yield vertices
 
 

@@ -6,7 +6,7 @@ from typing import Literal
 import numpy as np
 
 from core.arrays import FloatArray, IntArray
-from core.kernels import parallel_kernel, prange
+from core.kernels import parallel_kernel, prange, unsigned
 from core.mesh import TriangleMesh
 from core.mesh.gradient import (
     CAUCHY_CONSTANT,
@@ -57,7 +57,7 @@ def _diffuse(
     weights: FloatArray,
 ) -> FloatArray:
     """One step of the invariant form; `roots` are the 1/√dᵢ."""
-    moved = np.zeros_like(vertices)
+    moved = np.empty_like(vertices)
     for i in prange(len(vertices)):
         x = y = z = 0.0
         for j in items[starts[i] : starts[i + 1]]:
@@ -80,7 +80,7 @@ def _diffuse_as_printed(
     weights: FloatArray,
 ) -> FloatArray:
     """One step of eq. (9) as it stands; `roots` are the 1/√dᵢ."""
-    moved = np.zeros_like(vertices)
+    moved = np.empty_like(vertices)
     for i in prange(len(vertices)):
         x = y = z = 0.0
         for j in items[starts[i] : starts[i + 1]]:
@@ -95,8 +95,8 @@ def _diffuse_as_printed(
 
 
 def _frame(mesh: TriangleMesh, params: DiffusionParams) -> tuple[FloatArray, float]:
-    """Origin (3,) and factor of the coordinates in which the gradients are measured."""
-    if params.form == "printed" and params.raw_units:
+    """Origin (3,) and factor of the coordinates of the printed form."""
+    if params.raw_units:
         return np.zeros(3), 1.0
     unit = mesh.mean_edge_length or 1.0
     return mesh.vertices.mean(axis=0), params.gradient_scale / unit
@@ -135,17 +135,26 @@ def steps(mesh: TriangleMesh, params: DiffusionParams) -> Iterator[FloatArray]:
     Zhang, *Geometric Smoothing and Modeling of 3D Graphics*, §2.4, eq. (7)–(11).
     Zhang, Ben Hamza, *Vertex-based diffusion for 3-D mesh denoising*, IEEE TIP 2007.
     """
-    ring = mesh.topology.vertex_ring
-    roots = inverse_roots(ring.starts)
+    if params.form == "printed":
+        yield from _printed_steps(mesh, params)
+    ring = unsigned(*mesh.topology.vertex_ring)
+    roots = inverse_roots(mesh.degrees)
+    scale = params.gradient_scale / (mesh.mean_edge_length or 1.0)
+    vertices = mesh.vertices
+    while True:
+        weights = cauchy_weights(vertices, *ring, scale, params.c)
+        vertices = _diffuse(vertices, *ring, roots, weights)
+        yield vertices
+
+
+def _printed_steps(mesh: TriangleMesh, params: DiffusionParams) -> Iterator[FloatArray]:
+    ring = unsigned(*mesh.topology.vertex_ring)
+    roots = inverse_roots(mesh.degrees)
     origin, scale = _frame(mesh, params)
     vertices = mesh.vertices - origin
     while True:
-        if params.form == "printed":
-            weights = printed_cauchy_weights(vertices, *ring, roots, scale, params.c)
-            vertices = _diffuse_as_printed(vertices, *ring, roots, weights)
-        else:
-            weights = cauchy_weights(vertices, *ring, scale, params.c)
-            vertices = _diffuse(vertices, *ring, roots, weights)
+        weights = printed_cauchy_weights(vertices, *ring, roots, scale, params.c)
+        vertices = _diffuse_as_printed(vertices, *ring, roots, weights)
         yield vertices + origin
 
 

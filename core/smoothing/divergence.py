@@ -3,7 +3,7 @@
 import numpy as np
 
 from core.arrays import FloatArray, IntArray
-from core.kernels import parallel_kernel, prange
+from core.kernels import parallel_kernel, prange, unsigned
 from core.mesh import TriangleMesh
 from core.mesh.geometry import bounding_box
 
@@ -26,7 +26,7 @@ class DivergenceError(ArithmeticError):
 def _total_length(vertices: FloatArray, edges: IntArray) -> float:
     total = 0.0
     for e in prange(len(edges)):
-        i, j = edges[e]
+        i, j = edges[e, 0], edges[e, 1]
         x = vertices[j, 0] - vertices[i, 0]
         y = vertices[j, 1] - vertices[i, 1]
         z = vertices[j, 2] - vertices[i, 2]
@@ -35,25 +35,44 @@ def _total_length(vertices: FloatArray, edges: IntArray) -> float:
 
 
 @parallel_kernel
-def _count_outside(vertices: FloatArray, centre: FloatArray, reach: float) -> int:
+def _reach_and_growth(
+    vertices: FloatArray,
+    before: FloatArray,
+    degrees: IntArray,
+    centre: FloatArray,
+    reach: float,
+) -> tuple[int, float]:
+    """Number of vertices outside the reach, and Σ dᵢ ‖vᵢ − before‖.
+
+    An edge grows by no more than its two ends move, so the edges together grow by no more than
+    that sum.
+    """
     outside = 0
+    growth = 0.0
     for i in prange(len(vertices)):
         farthest = max(
             abs(vertices[i, 0] - centre[0]),
             abs(vertices[i, 1] - centre[1]),
             abs(vertices[i, 2] - centre[2]),
         )
-        # A largest value hides what is not a number; a sum does not.
-        total = vertices[i, 0] + vertices[i, 1] + vertices[i, 2]
-        outside += not (farthest <= reach and np.isfinite(total))
-    return outside
+        x, y, z = (
+            vertices[i, 0] - before[i, 0],
+            vertices[i, 1] - before[i, 1],
+            vertices[i, 2] - before[i, 2],
+        )
+        distance = np.sqrt(x * x + y * y + z * z)
+        # A largest value hides what is not a number; a distance does not.
+        outside += not (farthest <= reach and np.isfinite(distance))
+        growth += degrees[i] * distance
+    return outside, growth
 
 
 class DivergenceGuard:
     """Tells whether positions can still be a smoothed version of a mesh.
 
     A run has diverged when a vertex is not finite or outside ten times the bounding box of the
-    mesh, or when the edges are on average three times as long as at the start.
+    mesh, or when the edges are on average three times as long as at the start. The edges are
+    measured only when the vertices have moved so far that this is possible.
 
     Parameters
     ----------
@@ -65,11 +84,18 @@ class DivergenceGuard:
         low, high = bounding_box(mesh.vertices)
         self._centre = (low + high) / 2
         self._reach = _REACH * float((high - low).max()) / 2
-        self._edges = mesh.edges
-        self._longest = _GROWTH * _total_length(mesh.vertices, mesh.edges)
+        self._before = mesh.vertices
+        self._degrees = mesh.degrees
+        (self._edges,) = unsigned(mesh.edges)
+        self._length = _total_length(mesh.vertices, self._edges)
 
     def allows(self, vertices: FloatArray) -> bool:
         """Whether the run is still sound; a coordinate that is not a number is not."""
-        if _count_outside(vertices, self._centre, self._reach):
+        outside, growth = _reach_and_growth(
+            vertices, self._before, self._degrees, self._centre, self._reach
+        )
+        if outside:
             return False
-        return bool(_total_length(vertices, self._edges) <= self._longest)
+        if growth <= (_GROWTH - 1) * self._length:
+            return True
+        return bool(_total_length(vertices, self._edges) <= _GROWTH * self._length)

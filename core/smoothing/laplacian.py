@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from core.arrays import FloatArray, IntArray
-from core.kernels import parallel_kernel, prange
+from core.kernels import parallel_kernel, prange, unsigned
 from core.mesh import TriangleMesh
 from core.parameters import Params, param
 from core.smoothing.spec import MethodSpec
@@ -27,7 +27,7 @@ class LaplacianParams(Params):
 def _move_to_ring_mean(
     vertices: FloatArray, starts: IntArray, items: IntArray, step: float
 ) -> FloatArray:
-    moved = np.zeros_like(vertices)
+    moved = np.empty_like(vertices)
     for i in prange(len(vertices)):
         x = y = z = 0.0
         for j in items[starts[i] : starts[i + 1]]:
@@ -67,7 +67,7 @@ def steps(mesh: TriangleMesh, params: LaplacianParams) -> Iterator[FloatArray]:
     Zhang, *Geometric Smoothing and Modeling of 3D Graphics*, eq. (4).
     Taubin, *A signal processing approach to fair surface design*, SIGGRAPH 1995.
     """
-    starts, items = mesh.topology.vertex_ring
+    starts, items = unsigned(*mesh.topology.vertex_ring)
     vertices = mesh.vertices
     while True:
         vertices = _move_to_ring_mean(vertices, starts, items, params.step)

@@ -5,10 +5,11 @@ from collections.abc import Iterator
 import numpy as np
 
 from core.arrays import FloatArray, IntArray
-from core.kernels import parallel_kernel, prange
+from core.kernels import parallel_kernel, prange, unsigned
 from core.mesh import TriangleMesh
+from core.mesh.geometry import face_vectors
 from core.parameters import Params
-from core.smoothing.normal_update import areas_and_normals, fit_vertices
+from core.smoothing.normal_update import fit_vertices, set_plane
 from core.smoothing.spec import MethodSpec
 
 
@@ -17,21 +18,30 @@ class MeanParams(Params):
 
 
 @parallel_kernel
-def _mean_normals(
-    areas: FloatArray, normals: FloatArray, starts: IntArray, items: IntArray
-) -> FloatArray:
-    """Area-weighted mean normal over the ring of each face, scaled to unit length."""
-    means = normals.copy()
-    for t in prange(len(normals)):
+def mean_planes(
+    vertices: FloatArray,
+    faces: IntArray,
+    vectors: FloatArray,
+    starts: IntArray,
+    items: IntArray,
+) -> tuple[FloatArray, FloatArray]:
+    """Area of each face, and its plane along the mean normal of its ring.
+
+    `vectors` are 2 A(t) n(t), so that their sum is the area-weighted mean but for its length.
+    """
+    areas, planes = np.empty(len(faces)), np.empty((len(faces), 4))
+    for t in prange(len(faces)):
         x = y = z = 0.0
         for other in items[starts[t] : starts[t + 1]]:
-            x += areas[other] * normals[other, 0]
-            y += areas[other] * normals[other, 1]
-            z += areas[other] * normals[other, 2]
-        length = np.sqrt(x * x + y * y + z * z)
-        if length > 0:
-            means[t, 0], means[t, 1], means[t, 2] = x / length, y / length, z / length
-    return means
+            x += vectors[other, 0]
+            y += vectors[other, 1]
+            z += vectors[other, 2]
+        own = vectors[t]
+        areas[t] = np.sqrt(own[0] * own[0] + own[1] * own[1] + own[2] * own[2]) / 2
+        if x == 0 and y == 0 and z == 0:
+            x, y, z = own[0], own[1], own[2]
+        set_plane(planes, t, vertices, faces, x, y, z)
+    return areas, planes
 
 
 def steps(mesh: TriangleMesh, params: MeanParams) -> Iterator[FloatArray]:
@@ -64,12 +74,14 @@ def steps(mesh: TriangleMesh, params: MeanParams) -> Iterator[FloatArray]:
     Yagou, Ohtake, Belyaev, *Mesh smoothing via mean and median filtering applied to face
     normals*, GMP 2002.
     """
-    topology = mesh.topology
+    (faces,) = unsigned(mesh.faces)
+    face_ring = unsigned(*mesh.topology.face_ring)
+    vertex_faces = unsigned(*mesh.topology.vertex_faces)
     vertices = mesh.vertices
     while True:
-        areas, normals = areas_and_normals(vertices, mesh.faces)
-        means = _mean_normals(areas, normals, *topology.face_ring)
-        vertices = fit_vertices(vertices, mesh.faces, *topology.vertex_faces, areas, means)
+        vectors = face_vectors(vertices, faces)
+        areas, planes = mean_planes(vertices, faces, vectors, *face_ring)
+        vertices = fit_vertices(vertices, *vertex_faces, areas, planes)
         yield vertices
 
 

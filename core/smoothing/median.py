@@ -5,16 +5,21 @@ from collections.abc import Iterator
 import numpy as np
 
 from core.arrays import FloatArray, IntArray
-from core.kernels import kernel, parallel_kernel, prange
+from core.kernels import kernel, parallel_kernel, prange, unsigned
 from core.mesh import TriangleMesh
 from core.parameters import Params
-from core.smoothing.normal_update import areas_and_normals, fit_vertices
+from core.smoothing.normal_update import areas_and_normals, fit_vertices, set_plane
 from core.smoothing.spec import MethodSpec
 
-# Faces a thread handles before it needs a new buffer: enough to make the buffer free, few enough
-# to share the work evenly.
+# Faces a thread handles before it needs new tables: enough to make the tables free, few enough to
+# share the work evenly.
 _BLOCK = 2048
+# Faces whose rings are sorted side by side: enough for the inner loop to be vector instructions.
+_COLUMNS = 64
+# Above this length a ring is sorted by a method that does not take the square of its length.
 _SHORT_ROW = 64
+# A cosine of no angle, which fills the columns of shorter rings.
+_BELOW_ALL = -2.0
 
 
 class MedianParams(Params):
@@ -22,64 +27,92 @@ class MedianParams(Params):
 
 
 @kernel
-def _at_rank(values: FloatArray, rank: int) -> int:
-    """Index of the value at `rank` (from 0) of the descending order, the first of equal ones.
+def _fill_columns(
+    columns: FloatArray, normals: FloatArray, first: int, starts: IntArray, items: IntArray
+) -> int:
+    """Cosines of the angles between each face and its ring, a column a face; the longest ring."""
+    height = 0
+    columns[:] = _BELOW_ALL
+    for column in range(min(_COLUMNS, len(normals) - first)):
+        t = first + column
+        slot = 0
+        for other in items[starts[t] : starts[t + 1]]:
+            columns[slot, column] = (
+                normals[t, 0] * normals[other, 0]
+                + normals[t, 1] * normals[other, 1]
+                + normals[t, 2] * normals[other, 2]
+            )
+            slot += 1
+        height = max(height, slot)
+    return height
 
-    Counts for each value the larger ones: for a dozen values that is quicker than any sorting,
-    because the inner loop has no branches.
+
+@kernel
+def _sort_upper_half(columns: FloatArray, height: int) -> None:
+    """Bring the larger half of each column to its top, in descending order.
+
+    A selection sort that swaps without branches, on all columns at once.
     """
-    for a in range(len(values)):
-        larger = equal = 0
-        for b in range(len(values)):
-            larger += values[b] > values[a]
-            equal += values[b] == values[a]
-        if larger <= rank < larger + equal:
-            return a
-    return 0
+    for top in range((height + 1) // 2):
+        for slot in range(top + 1, height):
+            for column in range(columns.shape[1]):
+                upper, lower = columns[top, column], columns[slot, column]
+                columns[top, column] = upper if upper > lower else lower
+                columns[slot, column] = lower if upper > lower else upper
 
 
 @kernel
-def _first_at_rank(values: FloatArray, rank: int) -> int:
-    """Index of the value at `rank` as :func:`_at_rank`, for long rows: by sorting."""
-    sought = np.sort(values)[len(values) - 1 - rank]
-    for a in range(len(values)):
-        if values[a] == sought:
-            return a
-    return 0
+def _sort_columns(columns: FloatArray) -> None:
+    for column in range(columns.shape[1]):
+        columns[:, column] = np.sort(columns[:, column])[::-1]
 
 
 @kernel
-def _median_face(normals: FloatArray, t: int, ring: IntArray, cosines: FloatArray) -> int:
-    """Face of the ring whose normal makes the lower median angle with that of t."""
-    for slot in range(len(ring)):
-        other = ring[slot]
-        cosines[slot] = (
-            normals[t, 0] * normals[other, 0]
-            + normals[t, 1] * normals[other, 1]
-            + normals[t, 2] * normals[other, 2]
-        )
-    # Ascending angles are descending cosines.
-    rank = (len(ring) - 1) // 2
-    short = len(ring) <= _SHORT_ROW
-    face: int = ring[_at_rank(cosines, rank) if short else _first_at_rank(cosines, rank)]
-    return face
+def _first_equal(column: FloatArray, value: float) -> int:
+    for slot in range(len(column)):
+        if column[slot] == value:
+            return slot
+    return 0
 
 
 @parallel_kernel
-def _median_normals(
-    normals: FloatArray, starts: IntArray, items: IntArray, longest: int
+def median_faces(normals: FloatArray, starts: IntArray, items: IntArray, longest: int) -> IntArray:
+    """Face of the ring of each face whose normal makes the lower median angle with its own, (n,).
+
+    A face without a ring is its own. Ascending angles are descending cosines.
+    """
+    n = len(normals)
+    faces = np.arange(n, dtype=np.int32)
+    for block in prange((n + _BLOCK - 1) // _BLOCK):
+        cosines = np.empty((longest, _COLUMNS))
+        columns = np.empty((longest, _COLUMNS))
+        for first in range(block * _BLOCK, min((block + 1) * _BLOCK, n), _COLUMNS):
+            height = _fill_columns(cosines, normals, first, starts, items)
+            columns[:] = cosines
+            if height <= _SHORT_ROW:
+                _sort_upper_half(columns, height)
+            else:
+                _sort_columns(columns[:height])
+            for column in range(min(_COLUMNS, n - first)):
+                ring = items[starts[first + column] : starts[first + column + 1]]
+                if len(ring) > 0:
+                    median = columns[(len(ring) - 1) // 2, column]
+                    slot = _first_equal(cosines[: len(ring), column], median)
+                    faces[first + column] = ring[slot]
+    return faces
+
+
+@parallel_kernel
+def turned_planes(
+    vertices: FloatArray, faces: IntArray, normals: FloatArray, sources: IntArray
 ) -> FloatArray:
-    medians = normals.copy()
-    for block in prange((len(normals) + _BLOCK - 1) // _BLOCK):
-        cosines = np.zeros(longest)
-        for t in range(block * _BLOCK, min((block + 1) * _BLOCK, len(normals))):
-            ring = items[starts[t] : starts[t + 1]]
-            if len(ring) == 0:
-                continue
-            face = _median_face(normals, t, ring, cosines[: len(ring)])
-            for x in range(3):
-                medians[t, x] = normals[face, x]
-    return medians
+    """Plane of each face along the normal of the face `sources` names for it, (n, 4)."""
+    planes = np.empty((len(faces), 4))
+    for t in prange(len(faces)):
+        source = sources[t]
+        x, y, z = normals[source, 0], normals[source, 1], normals[source, 2]
+        set_plane(planes, t, vertices, faces, x, y, z)
+    return planes
 
 
 def steps(mesh: TriangleMesh, params: MedianParams) -> Iterator[FloatArray]:
@@ -112,13 +145,16 @@ def steps(mesh: TriangleMesh, params: MedianParams) -> Iterator[FloatArray]:
     Yagou, Ohtake, Belyaev, *Mesh smoothing via mean and median filtering applied to face
     normals*, GMP 2002.
     """
-    topology = mesh.topology
-    longest = int(topology.face_ring.lengths.max(initial=1))
+    (faces,) = unsigned(mesh.faces)
+    face_ring = unsigned(*mesh.topology.face_ring)
+    vertex_faces = unsigned(*mesh.topology.vertex_faces)
+    longest = int(mesh.topology.face_ring.lengths.max(initial=1))
     vertices = mesh.vertices
     while True:
-        areas, normals = areas_and_normals(vertices, mesh.faces)
-        medians = _median_normals(normals, *topology.face_ring, longest)
-        vertices = fit_vertices(vertices, mesh.faces, *topology.vertex_faces, areas, medians)
+        areas, normals = areas_and_normals(vertices, faces)
+        medians = median_faces(normals, *face_ring, longest)
+        planes = turned_planes(vertices, faces, normals, medians)
+        vertices = fit_vertices(vertices, *vertex_faces, areas, planes)
         yield vertices
 
 

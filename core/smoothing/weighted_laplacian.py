@@ -5,8 +5,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from core.arrays import FloatArray, IntArray
-from core.kernels import kernel, parallel_kernel, prange
+from core.kernels import parallel_kernel, prange, unsigned
 from core.mesh import TriangleMesh
+from core.mesh.triangles import corner_product, triangle_vector
 from core.parameters import Params, param
 from core.smoothing.spec import MethodSpec
 
@@ -27,40 +28,35 @@ class WeightedLaplacianParams(Params):
     )
 
 
-@kernel
-def _cotangent(vertices: FloatArray, apex: int, i: int, j: int) -> float:
-    """Cotangent of the angle at `apex` between i and j; 0 for a triangle without area."""
-    ax, ay, az = (
-        vertices[i, 0] - vertices[apex, 0],
-        vertices[i, 1] - vertices[apex, 1],
-        vertices[i, 2] - vertices[apex, 2],
-    )
-    bx, by, bz = (
-        vertices[j, 0] - vertices[apex, 0],
-        vertices[j, 1] - vertices[apex, 1],
-        vertices[j, 2] - vertices[apex, 2],
-    )
-    cx, cy, cz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
-    cross = np.sqrt(cx * cx + cy * cy + cz * cz)
-    return (ax * bx + ay * by + az * bz) / cross if cross > 0 else 0.0
+@parallel_kernel
+def corner_cotangents(vertices: FloatArray, faces: IntArray) -> FloatArray:
+    """Cotangent of the angle at each corner, (n, 3); 0 for a triangle without area.
+
+    cot ∠(a, b) = ⟨a, b⟩/‖a × b‖, where the length of the cross product, twice the area of the
+    triangle, is the same at all three corners.
+    """
+    cotangents = np.empty((len(faces), 3))
+    for t in prange(len(faces)):
+        i, j, k = faces[t, 0], faces[t, 1], faces[t, 2]
+        x, y, z = triangle_vector(vertices, i, j, k)
+        double_area = np.sqrt(x * x + y * y + z * z)
+        factor = 1 / double_area if double_area > 0 else 0.0
+        cotangents[t, 0] = factor * corner_product(vertices, i, j, k)
+        cotangents[t, 1] = factor * corner_product(vertices, j, k, i)
+        cotangents[t, 2] = factor * corner_product(vertices, k, i, j)
+    return cotangents
 
 
 @parallel_kernel
-def cotangent_weights(
-    vertices: FloatArray,
-    faces: IntArray,
-    edges: IntArray,
-    starts: IntArray,
-    corners: IntArray,
-    clamp_negative: bool,
+def edge_weights(
+    cotangents: FloatArray, starts: IntArray, corners: IntArray, clamp_negative: bool
 ) -> FloatArray:
-    """Weight cot α + cot β of each edge, from the angles opposite it."""
-    weights = np.zeros(len(edges))
-    for e in prange(len(edges)):
+    """Weight cot α + cot β of each edge, (e,), from the corners opposite it."""
+    weights = np.empty(len(starts) - 1)
+    for e in prange(len(weights)):
         total = 0.0
         for corner in corners[starts[e] : starts[e + 1]]:
-            apex = faces[corner // 3, corner % 3]
-            total += _cotangent(vertices, apex, edges[e, 0], edges[e, 1])
+            total += cotangents[corner]
         weights[e] = max(total, 0.0) if clamp_negative else total
     return weights
 
@@ -74,7 +70,7 @@ def _move_to_weighted_mean(
     weights: FloatArray,
     step: float,
 ) -> FloatArray:
-    moved = np.zeros_like(vertices)
+    moved = np.empty_like(vertices)
     for i in prange(len(vertices)):
         x = y = z = total = 0.0
         for slot in range(starts[i], starts[i + 1]):
@@ -122,14 +118,14 @@ def steps(mesh: TriangleMesh, params: WeightedLaplacianParams) -> Iterator[Float
     curvature flow*, SIGGRAPH 1999.
     """
     topology = mesh.topology
+    (faces,) = unsigned(mesh.faces)
+    edge_corners = unsigned(*topology.edge_corners)
+    ring = unsigned(*topology.vertex_ring, topology.ring_edges)
     vertices = mesh.vertices
     while True:
-        weights = cotangent_weights(
-            vertices, mesh.faces, mesh.edges, *topology.edge_corners, params.clamp_negative
-        )
-        vertices = _move_to_weighted_mean(
-            vertices, *topology.vertex_ring, topology.ring_edges, weights, params.step
-        )
+        cotangents = corner_cotangents(vertices, faces).ravel()
+        weights = edge_weights(cotangents, *edge_corners, params.clamp_negative)
+        vertices = _move_to_weighted_mean(vertices, *ring, weights, params.step)
         yield vertices
 
 

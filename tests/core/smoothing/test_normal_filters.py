@@ -1,0 +1,89 @@
+"""The methods that use normals, kernel by kernel, against their formulas in plain numpy."""
+
+import numpy as np
+import pytest
+
+from core.mesh import TriangleMesh, primitives
+from core.mesh.geometry import face_vectors
+from core.smoothing import bilateral, median
+from core.smoothing.mean import mean_planes
+from core.smoothing.normal_update import areas_and_normals, fit_vertices
+
+
+def median_faces(plain):
+    table = plain.mesh.topology.face_ring
+    return median.median_faces(plain.normals, *table, int(table.lengths.max()))
+
+
+def test_areas_normals_and_fit(irregular, plain):
+    areas, normals = areas_and_normals(irregular.vertices, irregular.faces)
+    assert areas == pytest.approx(plain.areas)
+    assert normals == pytest.approx(plain.normals)
+    planes = np.c_[normals, np.einsum("tx,tx->t", plain.centroids, normals)]
+    ours = fit_vertices(irregular.vertices, *irregular.topology.vertex_faces, areas, planes)
+    assert ours == pytest.approx(plain.fitted(normals))
+
+
+def test_mean_planes(irregular, plain):
+    vectors = face_vectors(irregular.vertices, irregular.faces)
+    ring = irregular.topology.face_ring
+    areas, planes = mean_planes(irregular.vertices, irregular.faces, vectors, *ring)
+    assert areas == pytest.approx(plain.areas)
+    assert planes[:, :3] == pytest.approx(plain.mean_normals)
+    heights = np.einsum("tx,tx->t", plain.centroids, plain.mean_normals)
+    assert planes[:, 3] == pytest.approx(heights)
+
+
+def test_mean_filter(irregular, plain, first_step):
+    assert first_step(irregular, "mean") == pytest.approx(plain.fitted(plain.mean_normals))
+
+
+@pytest.mark.parametrize("method", ["mean", "median"])
+def test_a_face_without_a_ring_keeps_its_normal(plain_of, first_step, method):
+    alone = plain_of(TriangleMesh(np.eye(3), [[0, 1, 2]]))
+    assert first_step(alone.mesh, method) == pytest.approx(alone.fitted(alone.normals))
+
+
+def test_median_faces(plain):
+    ours, normals, rings = median_faces(plain), plain.normals, plain.face_rings
+    assert all(face in ring for face, ring in zip(ours, rings, strict=True) if ring)
+    # Equal angles may differ in their last bit, so that either face is right.
+    cosines = np.einsum("tx,tx->t", normals[ours], normals)
+    for t, ring in enumerate(rings):
+        if ring:
+            descending = -np.sort(-normals[ring] @ normals[t])
+            assert cosines[t] == pytest.approx(descending[(len(ring) - 1) // 2], abs=1e-14)
+        else:
+            assert ours[t] == t
+
+
+def test_median_filter(irregular, plain, first_step):
+    expected = plain.fitted(plain.normals[median_faces(plain)])
+    assert first_step(irregular, "median") == pytest.approx(expected)
+
+
+def test_of_equal_angles_the_first_face_is_taken(plain_of):
+    flat = plain_of(primitives.grid(6, 6))
+    assert median_faces(flat).tolist() == [ring[0] for ring in flat.face_rings]
+
+
+def test_bilateral(irregular, plain, first_step):
+    v, normals, width = irregular.vertices, plain.vertex_normals, irregular.mean_edge_length
+
+    def move(i, ring):
+        offsets = v[ring] - v[i]
+        heights = offsets @ normals[i]
+        squares = (offsets**2).sum(axis=1)
+        weights = np.exp(-squares / (2 * width**2) - heights**2 / (2 * (0.5 * width) ** 2))
+        return normals[i] * (weights @ heights) / weights.sum()
+
+    ours = first_step(irregular, "bilateral", sigma_c=1.0, sigma_s=0.5)
+    assert ours == pytest.approx(plain.moved(move))
+
+
+def test_automatic_width_of_heights(irregular, plain):
+    v, normals = irregular.vertices, plain.vertex_normals
+    heights = [(v[ring] - v[i]) @ normals[i] for i, ring in enumerate(plain.rings)]
+    sigma_c, sigma_s = bilateral.automatic_widths(irregular, bilateral.BilateralParams())
+    assert sigma_c == irregular.mean_edge_length
+    assert sigma_s == pytest.approx(np.concatenate(heights).std())
