@@ -1,7 +1,9 @@
 """Carrying out a study: reading its meshes, running its methods, measuring their errors.
 
 A :class:`Comparison` is the pair of meshes that a study works on; :func:`run` does the whole of
-it.
+it. Methods and metrics work in numbers that follow the surface, because on a large mesh whose
+file numbers its vertices otherwise they take several times as long; what is handed out is in the
+order of the file.
 """
 
 import time
@@ -13,9 +15,12 @@ from pathlib import Path
 import numpy as np
 
 from core.arrays import FloatArray
+from core.doctor import repaired
+from core.file_order import FileOrderEvaluator, file_order_evaluator
 from core.io import LoadedMesh, read_mesh, sample_path
 from core.mesh import TriangleMesh
-from core.metrics import Evaluator, metrics_in
+from core.mesh.ordering import Numbering
+from core.metrics import metrics_in
 from core.noise import add_noise
 from core.parameters import ParameterError
 from core.smoothing import DivergenceError, DivergenceGuard, method_spec
@@ -39,10 +44,10 @@ class Comparison:
     model_units: bool = False
 
     @cached_property
-    def evaluators(self) -> dict[str, Evaluator]:
+    def evaluators(self) -> dict[str, FileOrderEvaluator]:
         """Evaluator of each metric against the original."""
         specs = metrics_in(model_units=self.model_units)
-        return {id_: spec.evaluator(self.original) for id_, spec in specs.items()}
+        return {id_: file_order_evaluator(spec, self.original) for id_, spec in specs.items()}
 
     @cached_property
     def noisy_errors(self) -> dict[str, float]:
@@ -61,8 +66,10 @@ class Comparison:
         DivergenceError
             When the run diverges; the snapshot before is the last good one.
         """
-        guard = DivergenceGuard(self.noisy)
-        positions = method_spec(choice.method).steps(self.noisy, choice.settings)
+        noisy = self.noisy.along_surface()
+        numbering = self.noisy.topology.ordering.vertices
+        guard = DivergenceGuard(noisy)
+        positions = method_spec(choice.method).steps(noisy, choice.settings)
         iteration = 0
         while True:
             iteration += 1
@@ -72,7 +79,8 @@ class Comparison:
             seconds = time.thread_time() - started
             if not guard.allows(vertices):
                 raise DivergenceError(iteration)
-            yield Snapshot(iteration, vertices, self.errors(vertices), seconds)
+            errors = {id_: e.along_surface.value(vertices) for id_, e in self.evaluators.items()}
+            yield Snapshot(iteration, errors, seconds, vertices, numbering)
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,19 +91,27 @@ class Snapshot:
     ----------
     iteration : int
         Counted from 1.
-    vertices : (m, 3) float64 ndarray
-        Positions.
     errors : dict of str to float
         Each metric against the original.
     seconds : float
         Processor time that the calling thread spent on the iteration, without the metrics; the
         parallel loops' other threads work at the same time.
+    along_surface : (m, 3) float64 ndarray
+        Positions as the method gave them.
+    numbering : Numbering
+        Of these positions.
     """
 
     iteration: int
-    vertices: FloatArray
     errors: dict[str, float]
     seconds: float
+    along_surface: FloatArray
+    numbering: Numbering
+
+    @property
+    def vertices(self) -> FloatArray:
+        """Positions in the order of the file, (m, 3)."""
+        return self.numbering.outward(self.along_surface)
 
 
 @dataclass(frozen=True, eq=False)
@@ -157,7 +173,7 @@ def read_model(model: str) -> LoadedMesh:
 
 
 def read_comparison(study: Study) -> tuple[Comparison, tuple[str, ...]]:
-    """Read the meshes of a study and add the noise; also returns what loading changed.
+    """Read the meshes of a study, repair them, add the noise; also returns what was changed.
 
     Raises
     ------
@@ -167,11 +183,12 @@ def read_comparison(study: Study) -> tuple[Comparison, tuple[str, ...]]:
         If the noisy file does not belong to the original.
     """
     loaded = read_model(study.model)
+    whole = repaired(loaded.mesh, study.repairs)
     if study.noisy is None:
-        noisy = add_noise(loaded.mesh, study.noise.sigma, study.noise.seed)
+        noisy = add_noise(whole.mesh, study.noise.sigma, study.noise.seed)
     else:
-        noisy = matched(loaded.mesh, read_model(study.noisy))
-    return Comparison(loaded.mesh, noisy, study.model_units), loaded.report
+        noisy = whole.carry(matched(loaded.mesh, read_model(study.noisy)))
+    return Comparison(whole.mesh, noisy, study.model_units), loaded.report + whole.changes
 
 
 def matched(original: TriangleMesh, noisy: LoadedMesh) -> TriangleMesh:
@@ -190,7 +207,8 @@ def matched(original: TriangleMesh, noisy: LoadedMesh) -> TriangleMesh:
                 f"{noisy.name} has {len(ours):,} {word} and the original {len(theirs):,}; "
                 "a noisy file must match its original vertex by vertex."
             )
-    if not np.array_equal(_face_set(mesh), _face_set(original)):
+    same = np.array_equal(mesh.faces, original.faces)
+    if not same and not np.array_equal(_face_set(mesh), _face_set(original)):
         raise ParameterError(
             f"{noisy.name} joins its vertices to other faces than the original; "
             "a noisy file must match its original vertex by vertex."
@@ -208,24 +226,24 @@ def run_method(comparison: Comparison, choice: MethodChoice) -> MethodResult:
     """Run one method to the chosen iteration or until it diverges."""
     errors: dict[str, list[float]] = {id_: [e] for id_, e in comparison.noisy_errors.items()}
     seconds: list[float] = []
-    vertices = comparison.noisy.vertices
+    snapshot = None
     diverged = None
     snapshots = comparison.snapshots(choice)
     try:
         for _ in range(choice.iterations):
             snapshot = next(snapshots)
-            vertices = snapshot.vertices
             seconds.append(snapshot.seconds)
             for id_, error in snapshot.errors.items():
                 errors[id_].append(error)
     except DivergenceError as error:
         diverged = error.iteration
+    noisy = comparison.noisy
     return MethodResult(
         choice=choice,
         errors={id_: tuple(values) for id_, values in errors.items()},
         seconds=tuple(seconds),
         diverged=diverged,
-        mesh=comparison.noisy.with_vertices(vertices),
+        mesh=noisy.with_vertices(snapshot.vertices) if snapshot else noisy,
     )
 
 

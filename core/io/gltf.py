@@ -16,7 +16,7 @@ from urllib.parse import unquote
 import numpy as np
 
 from core.arrays import FloatArray
-from core.io.errors import LoadError
+from core.io.errors import LoadError, quoted
 from core.io.parts import Part, join_parts
 from core.io.polygons import Polygons, counted
 
@@ -92,7 +92,7 @@ def _buffer_files(tree: Tree, folder: Path, binary: bytes) -> dict[str, bytes]:
             continue
         file = (folder / unquote(uri)).resolve()
         if not file.is_relative_to(folder) or not file.is_file():
-            raise LoadError(f"it needs the file {uri[:60]!r}, which is not beside it")
+            raise LoadError(f"it needs the file {quoted(uri)}, which is not beside it")
         files[uri] = file.read_bytes()
     return files
 

@@ -15,15 +15,16 @@ from core.io.text import coordinates, number_lists
 from core.mesh import TriangleMesh
 
 # The end of a line is left out, so a key alone on its line gives an empty row and not the next one.
-_VERTEX = re.compile(rb"^[^\S\n]*v(?=\s|$)(.*)$", re.MULTILINE)
-_FACE = re.compile(rb"^[^\S\n]*f(?=\s|$)(.*)$", re.MULTILINE)
+# A pattern that begins with a plain character is found twice as fast as one that begins with ^.
+_VERTEX = re.compile(rb"\n[^\S\n]*v(?!\S)([^\n]*)")
+_FACE = re.compile(rb"\n[^\S\n]*f(?!\S)([^\n]*)")
 _CONTINUED = re.compile(rb"\\[^\S\n]*\n")
 _AFTER_FIRST_NUMBER = re.compile(rb"/\S*|#.*")
 
 
 def read_obj(path: Path) -> Polygons:
     """Read the vertices and polygons of an OBJ file."""
-    data = path.read_bytes().replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+    data = b"\n" + path.read_bytes().replace(b"\r\n", b"\n").replace(b"\r", b"\n")
     text = _CONTINUED.sub(b" ", data)
     vertex_lines, face_lines = _VERTEX.findall(text), _FACE.findall(text)
     if not vertex_lines and not face_lines:

@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 
 from core.io.errors import LoadError
-from core.io.polygons import Lists, Polygons
+from core.io.polygons import Lists, Numbers, Polygons
 from core.io.records import BinaryRecords, Element, Property
-from core.io.text import coordinates, integers, split_rows
+from core.io.text import coordinates, integers, whole_rows
 from core.mesh import TriangleMesh
 
 # Texture coordinates, colours and normals may stand before the word; 4 and n mean that the
@@ -56,27 +56,26 @@ def _faces(lines: list[bytes]) -> Lists:
     """Read "k v₁ … vₖ" from each line; a colour may follow."""
     if not lines:
         return Lists.empty()
-    words, width = split_rows(lines)
-    if width and words[1::width].count(words[1]) == len(lines):
-        return _equal_faces(words, width)
+    rows = whole_rows(lines)
+    if rows is not None and (rows[:, 0] == rows[0, 0]).all():
+        return _equal_faces(rows)
     table = [line.split() for line in lines]
     sizes = integers([row[0] for row in table])
     if sizes.size and sizes.min() < 0:
         raise LoadError(f"a face announces {sizes.min()} corners")
-    rows = [row[1 : size + 1] for row, size in zip(table, sizes.tolist(), strict=True)]
-    broken = next((i for i, row in enumerate(rows) if len(row) < sizes[i]), None)
+    faces = [row[1 : size + 1] for row, size in zip(table, sizes.tolist(), strict=True)]
+    broken = next((i for i, face in enumerate(faces) if len(face) < sizes[i]), None)
     if broken is not None:
         raise LoadError(f"face {broken} is cut short: {sizes[broken]} corners announced")
-    return Lists(sizes, integers([token for row in rows for token in row]))
+    return Lists(sizes, integers([word for face in faces for word in face]))
 
 
-def _equal_faces(words: list[bytes], width: int) -> Lists:
-    """Read faces that all have the same number of corners, column by column."""
-    size = int(integers(words[1:2])[0])
-    if not 0 < size <= width - 2:
-        raise LoadError(f"a face announces {size} corners and has {width - 2}")
-    columns = [integers(words[column::width]) for column in range(2, 2 + size)]
-    return Lists.of_rows(np.stack(columns, axis=1))
+def _equal_faces(rows: Numbers) -> Lists:
+    """Take faces that all have the same number of corners."""
+    size, room = int(rows[0, 0]), rows.shape[1] - 1
+    if not 0 < size <= room:
+        raise LoadError(f"a face announces {size} corners and has {room}")
+    return Lists.of_rows(rows[:, 1 : 1 + size])
 
 
 def _binary(data: bytes, start: int, word: re.Match[bytes]) -> Polygons:

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from core.io.errors import LoadError
+from core.io.errors import LoadError, quoted
 from core.io.polygons import Lists, Polygons, cut_strips
 from core.io.records import BinaryRecords, Element, Property, Records, TextRecords
 from core.io.text import integers
@@ -59,25 +59,23 @@ def _header(data: bytes) -> _Header:
     lines = [line.split() for line in data[: end.start()].decode("latin-1").splitlines()]
     encoding = next((line[1] for line in lines if line[:1] == ["format"] and line[1:]), "missing")
     if encoding not in _ORDERS:
-        raise LoadError(f"its format is {encoding}; allowed are {', '.join(_ORDERS)}")
+        raise LoadError(f"its format is {encoding[:24]}; allowed are {', '.join(_ORDERS)}")
     return _Header(encoding, _elements(lines[1:], _ORDERS[encoding]), end.end())
 
 
 def _elements(lines: Sequence[Sequence[str]], order: str) -> tuple[Element, ...]:
-    elements: list[Element] = []
+    tables: list[tuple[str, int, list[Property]]] = []
     for line in lines:
         match line:
             case ["format" | "comment" | "obj_info", *_] | []:
                 pass
             case ["element", name, rows]:
-                elements.append(Element(name, _row_count(rows), ()))
-            case ["property", _, _, *_] if elements:
-                last = elements.pop()
-                properties = (*last.properties, _property(line[1:], order))
-                elements.append(Element(last.name, last.rows, properties))
+                tables.append((name, _row_count(rows), []))
+            case ["property", _, _, *_] if tables:
+                tables[-1][2].append(_property(line[1:], order))
             case _:
-                raise LoadError(f"its header has a line that is not PLY: {' '.join(line)[:60]!r}")
-    return tuple(elements)
+                raise LoadError(f"its header has a line that is not PLY: {quoted(' '.join(line))}")
+    return tuple(Element(name, rows, tuple(entries)) for name, rows, entries in tables)
 
 
 def _row_count(word: str) -> int:
@@ -91,7 +89,7 @@ def _property(words: Sequence[str], order: str) -> Property:
     *types, name = words
     numbers = [_TYPES.get(word) for word in types if word != "list"]
     if None in numbers or len(types) != (3 if types[:1] == ["list"] else 1):
-        raise LoadError(f"its header has a property of no known type: {' '.join(words)[:60]!r}")
+        raise LoadError(f"its header has a property of no known type: {quoted(' '.join(words))}")
     *count, item = [np.dtype(f"{order}{number}") for number in numbers]
     return Property(name, item, *count)
 

@@ -46,6 +46,8 @@ class Lists(NamedTuple):
     @classmethod
     def chain(cls, parts: Sequence["Lists"]) -> "Lists":
         """Return the lists of all parts, one part after the other."""
+        if len(parts) == 1:
+            return parts[0]
         sizes, items = zip(cls.empty(), *parts, strict=True)
         return cls(np.concatenate(sizes), np.concatenate(items))
 
@@ -100,7 +102,8 @@ def assemble(polygons: Polygons) -> tuple[TriangleMesh, tuple[str, ...]]:
     _check_numbers(polygons)
     faces = fan_triangles(polygons.faces)
     collapsed = _is_collapsed(faces)
-    faces = faces[~collapsed]
+    if collapsed.any():
+        faces = faces[~collapsed]
     if not len(faces):
         raise LoadError("none of its faces has three different corners")
     used = np.zeros(len(polygons.vertices), np.bool_)
@@ -109,15 +112,16 @@ def assemble(polygons: Polygons) -> tuple[TriangleMesh, tuple[str, ...]]:
     changes = _changes(polygons.faces.sizes, int(collapsed.sum()), int((~used).sum()))
     if not used.all():
         faces = (np.cumsum(used) - 1)[faces]
-    return TriangleMesh(polygons.vertices[used], faces), polygons.changes + changes
+    vertices = polygons.vertices if used.all() else polygons.vertices[used]
+    return TriangleMesh(vertices, faces), polygons.changes + changes
 
 
 def _check_numbers(polygons: Polygons) -> None:
     sizes, items = polygons.faces
     if not len(sizes):
         raise LoadError(f"it has no faces, only {counted(len(polygons.vertices), 'point')}")
-    outside = np.flatnonzero((items < 0) | (items >= len(polygons.vertices)))
-    if len(outside):
+    if items.size and (items.min() < 0 or items.max() >= len(polygons.vertices)):
+        outside = np.flatnonzero((items < 0) | (items >= len(polygons.vertices)))
         face = np.searchsorted(np.cumsum(sizes), outside[0], side="right")
         first = polygons.first_number
         raise LoadError(
@@ -127,6 +131,8 @@ def _check_numbers(polygons: Polygons) -> None:
 
 
 def _check_positions(polygons: Polygons, used: BoolArray) -> None:
+    if np.isfinite(polygons.vertices).all():
+        return
     bad = np.flatnonzero(used & ~np.isfinite(polygons.vertices).all(axis=1))
     if len(bad):
         number = bad[0] + polygons.first_number
@@ -145,14 +151,14 @@ def _changes(sizes: Numbers, collapsed: int, unused: int) -> tuple[str, ...]:
     return tuple(phrase for number, phrase in phrases if number)
 
 
-def fan_triangles(polygons: Lists) -> Numbers:
+def fan_triangles(polygons: Lists) -> NDArray[Any]:
     """Cut each polygon into a fan of triangles around its first corner, (n, 3).
 
     The cut depends on the numbers alone, so two files with the same polygons get the same faces.
     """
     sizes, items = polygons
     if (sizes == 3).all():
-        return items.reshape(-1, 3).astype(np.int64)
+        return items.reshape(-1, 3)
     triangles = np.maximum(sizes - 2, 0)
     owner, step = _positions(triangles)
     first = (np.cumsum(sizes) - sizes)[owner]
@@ -177,9 +183,10 @@ def cut_strips(strips: Lists) -> tuple[Lists, str]:
     return Lists.of_rows(faces), phrase
 
 
-def _is_collapsed(faces: Numbers) -> BoolArray:
+def _is_collapsed(faces: NDArray[Any]) -> BoolArray:
     """Mask of the faces that name a vertex twice, (n,)."""
-    repeated: BoolArray = (faces == np.roll(faces, 1, axis=1)).any(axis=1)
+    a, b, c = faces.T
+    repeated: BoolArray = (a == b) | (b == c) | (c == a)
     return repeated
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from core.io.errors import LoadError
+from core.io.errors import LoadError, one_line, printable
 from core.io.gltf import read_gltf
 from core.io.obj import read_obj
 from core.io.off import read_off
@@ -101,21 +101,23 @@ def read_mesh(path: str | os.PathLike[str]) -> LoadedMesh:
         short, vertex numbers out of range, coordinates that are not finite, no faces.
     """
     file = Path(path)
-    name = file.name or str(file)
+    name = printable(file.name or str(file))
     try:
         _check_file(file)
         # Numbers that are not finite travel quietly until they are refused with their vertex.
         with np.errstate(all="ignore"):
             mesh, report = assemble(_READERS[file.suffix.lower()](file))
     except LoadError as error:
-        raise LoadError(f"{name}: {error}.") from error
+        raise LoadError(f"{name}: {one_line(str(error))}.") from error
     except OSError as error:
-        raise LoadError(f"{name}: cannot be read ({error.strerror or error}).") from error
+        raise LoadError(
+            f"{name}: cannot be read ({one_line(error.strerror or str(error))})."
+        ) from error
     except MemoryError as error:
         raise LoadError(f"{name}: needs more memory than there is.") from error
     except Exception as error:
         # Readers of others raise whatever they like on a broken file.
-        raise LoadError(f"{name}: is not well-formed ({_one_line(error)}).") from error
+        raise LoadError(f"{name}: is not well-formed ({_reason(error)}).") from error
     return LoadedMesh(name, mesh, report)
 
 
@@ -132,6 +134,6 @@ def _check_file(file: Path) -> None:
         raise LoadError("the file is empty")
 
 
-def _one_line(error: Exception) -> str:
+def _reason(error: Exception) -> str:
     text = f"{error} is missing or unknown" if isinstance(error, KeyError) else str(error)
-    return " ".join(text.split())[:160] or "its parts do not fit together"
+    return one_line(text, 160) or "its parts do not fit together"

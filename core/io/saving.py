@@ -1,7 +1,6 @@
 """Writing a mesh to a file, whole or not at all."""
 
 import os
-import secrets
 from collections.abc import Callable
 from pathlib import Path
 
@@ -11,6 +10,7 @@ from core.io.off import write_off
 from core.io.ply import write_ply
 from core.io.stl import write_stl
 from core.mesh import TriangleMesh
+from core.whole_files import write_atomically
 
 _WRITERS: dict[str, Callable[[TriangleMesh], bytes]] = {
     ".ply": write_ply,
@@ -54,30 +54,3 @@ def save_mesh(mesh: TriangleMesh, path: str | os.PathLike[str]) -> None:
         raise SaveError(f"{file.name or file}: {error}.") from error
     except OSError as error:
         raise SaveError(f"{file.name}: cannot be written ({error.strerror or error}).") from error
-
-
-def write_atomically(file: Path, content: bytes) -> None:
-    """Write to a new file beside `file` and put it in its place: the old one or the new one.
-
-    Parameters
-    ----------
-    file : Path
-        What is written; a link stays a link.
-    content : bytes
-        The whole content.
-
-    Raises
-    ------
-    OSError
-        If the system refuses; the old file is then untouched and nothing is left behind.
-    """
-    target = Path(os.path.realpath(file))
-    fresh = target.with_name(f".{target.name}.{secrets.token_hex(4)}.tmp")
-    try:
-        with fresh.open("xb") as stream:
-            stream.write(content)
-            stream.flush()
-            os.fsync(stream.fileno())
-        fresh.replace(target)
-    finally:
-        fresh.unlink(missing_ok=True)

@@ -4,19 +4,25 @@ Corners at exactly equal places become one vertex; nearly equal ones stay apart.
 numbered in the order in which they first appear.
 """
 
+import re
 from pathlib import Path
 
 import numpy as np
 
 from core.arrays import FloatArray
 from core.io.errors import LoadError, SaveError
-from core.io.polygons import Lists, Numbers, Polygons, counted
+from core.io.merging import merge_equal
+from core.io.polygons import Lists, Polygons, counted
 from core.io.text import coordinates
 from core.mesh import TriangleMesh
 from core.mesh.geometry import face_normals
 
 _FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 _HEAD = 84
+# Searched for in small letters; a line is not the first one, which begins with "solid".
+_CORNER = re.compile(rb"\n[ \t]*vertex[ \t]([^\n]*)")
+_END_FACET = re.compile(rb"\n[ \t]*endfacet")
+_END_SOLID = re.compile(rb"\n[ \t]*endsolid")
 
 
 def read_stl(path: Path) -> Polygons:
@@ -52,43 +58,15 @@ def _binary(data: bytes) -> FloatArray:
 
 
 def _text(data: bytes) -> tuple[FloatArray, tuple[str, ...]]:
-    lines = [line.strip().lower() for line in data.splitlines()]
-    corners = [line[6:] for line in lines if line.startswith((b"vertex ", b"vertex\t"))]
-    facets = sum(line.startswith(b"endfacet") for line in lines)
-    solids = sum(line.startswith(b"endsolid") for line in lines)
+    data = data.lower().replace(b"\r", b"\n")
+    corners, facets = _CORNER.findall(data), len(_END_FACET.findall(data))
+    solids = len(_END_SOLID.findall(data))
     if not solids or len(corners) < 3 * facets:
         raise LoadError("the file is cut short: its last solid has no end")
     if len(corners) != 3 * facets:
         raise LoadError(f"it has {len(corners)} corners for {facets} faces; allowed are three each")
     joined = (f"{solids:,} solids joined",) if solids > 1 else ()
     return coordinates(corners), joined
-
-
-def merge_equal(positions: FloatArray) -> tuple[FloatArray, Numbers]:
-    """Join equal positions.
-
-    Parameters
-    ----------
-    positions : (s, 3) float64 ndarray
-        Positions, some of them equal.
-
-    Returns
-    -------
-    vertices : (m, 3) float64 ndarray
-        Different positions, in the order of first appearance.
-    numbers : (s,) int64 ndarray
-        Row of `vertices` that each position became.
-    """
-    plain = positions + 0.0  # −0 and 0 are the same place
-    order = np.lexsort(plain.T)
-    new = np.ones(len(plain), np.bool_)
-    new[1:] = (plain[order[1:]] != plain[order[:-1]]).any(axis=1)
-    group = np.cumsum(new) - 1
-    first = np.zeros(len(plain), np.int64)
-    # The sort is stable, so each group begins with its first appearance.
-    first[order] = order[new][group]
-    keep = first == np.arange(len(plain))
-    return plain[keep], (np.cumsum(keep) - 1)[first]
 
 
 def write_stl(mesh: TriangleMesh) -> bytes:

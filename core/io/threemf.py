@@ -4,6 +4,7 @@ The reader takes the numbers as the parser meets them and builds no tree, so a l
 little more than its arrays.
 """
 
+import io
 import re
 import zlib
 from array import array
@@ -12,12 +13,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TypeAlias
 from xml.etree.ElementTree import ParseError, XMLParser
-from zipfile import BadZipFile, ZipFile
+from zipfile import ZIP_DEFLATED, ZIP_STORED, BadZipFile, ZipFile, ZipInfo
 
 import numpy as np
 
 from core.arrays import FloatArray
-from core.io.errors import LoadError
+from core.io.errors import LoadError, quoted
 from core.io.parts import Part, join_parts
 from core.io.polygons import Polygons
 
@@ -56,13 +57,19 @@ class _Collector:
         self.objects: _Objects = {}
         self.build: list[_Use] = []
 
+    def doctype(self, *_: object) -> None:
+        """Refuse what 3MF forbids: its entities could make much out of little."""
+        raise LoadError("its XML declares a document type, which 3MF does not allow")
+
     def start(self, tag: str, given: dict[str, str]) -> None:
         """Take what an opening tag says."""
         match tag.rpartition("}")[2]:
             case "vertex":
-                self._current.coordinates.extend(float(given[axis]) for axis in "xyz")
+                x, y, z = given["x"], given["y"], given["z"]
+                self._current.coordinates.extend((float(x), float(y), float(z)))
             case "triangle":
-                self._current.corners.extend(int(given[v]) for v in ("v1", "v2", "v3"))
+                a, b, c = given["v1"], given["v2"], given["v3"]
+                self._current.corners.extend((int(a), int(b), int(c)))
             case "object":
                 self._current = self.objects[self._part, given["id"]] = _Object()
             case "component":
@@ -87,10 +94,12 @@ def _matrix(text: str) -> FloatArray:
 
 def read_3mf(path: Path) -> Polygons:
     """Read the objects on the build plate of a 3MF file."""
-    size = path.stat().st_size
+    # From memory, because a read that an archive makes a gigabyte long ends where the bytes do.
+    data = path.read_bytes()
+    size = len(data)
     limit = max(_LARGEST_GROWTH * size, _SMALLEST_LIMIT)
     try:
-        with ZipFile(path) as archive:
+        with ZipFile(io.BytesIO(data)) as archive:
             objects, build = _models(archive, limit)
     except (BadZipFile, EOFError, zlib.error) as error:
         raise LoadError("it is no 3MF file or cut short (not a whole zip archive)") from error
@@ -106,12 +115,20 @@ def _models(archive: ZipFile, limit: int) -> tuple[_Objects, list[_Use]]:
     names = [name for name in dict.fromkeys(archive.namelist()) if name.endswith(".model")]
     if not names:
         raise LoadError("its archive holds no model")
-    # Nobody unpacks more than the sizes that the archive states, so they may be trusted here.
-    if sum(archive.getinfo(name).file_size for name in [*names, *_relations(archive)]) > limit:
-        raise LoadError("it unpacks to far more than a model of its size can hold")
+    _check_members([archive.getinfo(name) for name in [*names, *_relations(archive)]], limit)
     collectors = {name: _collect(archive, name) for name in names}
     objects = {key: item for each in collectors.values() for key, item in each.objects.items()}
     return objects, collectors[_main(archive, names)].build
+
+
+def _check_members(members: list[ZipInfo], limit: int) -> None:
+    """Refuse what would take memory before a single number is read."""
+    # Other ways to pack are not 3MF's, and may take a gigabyte for a few bytes.
+    if any(member.compress_type not in (ZIP_STORED, ZIP_DEFLATED) for member in members):
+        raise LoadError("its archive is packed in a way that 3MF does not allow")
+    # Nobody unpacks more than the sizes that the archive states, so they may be trusted here.
+    if sum(member.file_size for member in members) > limit:
+        raise LoadError("it unpacks to far more than a model of its size can hold")
 
 
 def _relations(archive: ZipFile) -> list[str]:
@@ -141,7 +158,8 @@ def _parts(objects: _Objects, uses: list[_Use], matrix: FloatArray, depth: int) 
         raise LoadError(f"its components are nested more than {_DEEPEST} deep")
     for use in uses:
         if use.key not in objects:
-            raise LoadError(f"it uses object {use.key[1]!r}, which is not in {use.key[0]}")
+            part, number = use.key
+            raise LoadError(f"it uses object {quoted(number)}, which is not in {part[:80]}")
         item, placed = objects[use.key], matrix @ use.matrix
         vertices, corners = np.frombuffer(item.coordinates), np.frombuffer(item.corners, np.int64)
         yield Part(vertices.reshape(-1, 3), corners.reshape(-1, 3), placed)

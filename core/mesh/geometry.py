@@ -17,9 +17,9 @@ Weighting = Literal["uniform", "area", "angle"]
 @parallel_kernel
 def face_vectors(vertices: FloatArray, faces: IntArray) -> FloatArray:
     """Twice the area times the unit normal of each face, (n, 3): (v₁ − v₀) × (v₂ − v₀)."""
-    result = np.zeros((len(faces), 3))
+    result = np.empty((len(faces), 3))
     for t in prange(len(faces)):
-        i, j, k = faces[t]
+        i, j, k = faces[t, 0], faces[t, 1], faces[t, 2]
         result[t, 0], result[t, 1], result[t, 2] = triangle_vector(vertices, i, j, k)
     return result
 
@@ -51,8 +51,19 @@ def face_centroids(mesh: "TriangleMesh") -> FloatArray:
 
 def edge_lengths(mesh: "TriangleMesh") -> FloatArray:
     """Length of each edge, (e,), in model units."""
-    first, second = mesh.vertices[mesh.edges].transpose(1, 0, 2)
-    lengths: FloatArray = np.linalg.norm(second - first, axis=1)
+    lengths: FloatArray = _edge_lengths(mesh.vertices, mesh.edges)
+    return lengths
+
+
+@parallel_kernel
+def _edge_lengths(vertices: FloatArray, edges: IntArray) -> FloatArray:
+    lengths = np.empty(len(edges))
+    for e in prange(len(edges)):
+        i, j = edges[e, 0], edges[e, 1]
+        x = vertices[j, 0] - vertices[i, 0]
+        y = vertices[j, 1] - vertices[i, 1]
+        z = vertices[j, 2] - vertices[i, 2]
+        lengths[e] = np.sqrt(x * x + y * y + z * z)
     return lengths
 
 

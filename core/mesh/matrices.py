@@ -11,7 +11,9 @@ from scipy.sparse import csr_array, diags_array, save_npz
 
 from core.arrays import FloatArray
 from core.mesh import geometry
-from core.mesh.triangle_mesh import MeshError, TriangleMesh
+from core.mesh.errors import MeshError
+from core.mesh.triangle_mesh import TriangleMesh
+from core.whole_files import whole_file
 
 
 def adjacency_matrix(mesh: TriangleMesh) -> csr_array:
@@ -83,7 +85,7 @@ def save_matrix(matrix: csr_array, path: str | os.PathLike[str]) -> None:
         raise MeshError(f"{file.name}: matrices are not written in this format; use {allowed}.")
     try:
         # Given a name instead of a file, both writers add a suffix of their own to it.
-        with file.open("wb") as stream:
+        with whole_file(file) as stream:
             writers[file.suffix.lower()](stream, matrix)
     except OSError as error:
         reason = error.strerror or type(error).__name__

@@ -3,7 +3,8 @@
 import numpy as np
 from fast_simplification import simplify
 
-from core.mesh.triangle_mesh import MeshError, TriangleMesh
+from core.mesh.errors import MeshError
+from core.mesh.triangle_mesh import TriangleMesh
 
 
 def midpoint_subdivision(mesh: TriangleMesh) -> TriangleMesh:

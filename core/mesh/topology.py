@@ -6,10 +6,14 @@ from typing import NamedTuple
 
 import numpy as np
 from scipy.sparse import csr_array
-from scipy.sparse.csgraph import connected_components
 
 from core.arrays import BoolArray, IntArray, frozen
-from core.mesh import rings
+from core.mesh import edge_tables, pieces, rings
+from core.mesh.errors import MeshError
+from core.mesh.ordering import Ordering, follows_surface, surface_ordering
+
+# Two gigabytes. Ordinary meshes have 12 neighbours a face; 32-bit numbers end at four times this.
+_MOST_NEIGHBOURS = 500_000_000
 
 
 class Rows(NamedTuple):
@@ -46,16 +50,36 @@ def _rows(starts: IntArray, items: IntArray) -> Rows:
 class Topology:
     """Connectivity of a triangle mesh, computed on first use and then kept.
 
+    What does not depend on how vertices and faces are numbered (genus, components and the like) is
+    computed in numbers that follow the surface.
+
     Parameters
     ----------
     faces : (n, 3) int32 ndarray
         Vertex numbers of each face.
     vertex_count : int
         Number of vertices m.
+    is_along_surface : bool
+        Whether the numbers are known to follow the surface.
     """
 
     faces: IntArray
     vertex_count: int
+    is_along_surface: bool = False
+
+    @cached_property
+    def ordering(self) -> Ordering:
+        """Numbers that follow the surface; no new ones where those of the faces already do."""
+        if self.is_along_surface or follows_surface(self.faces, self.vertex_count):
+            return Ordering()
+        return surface_ordering(self.faces, *self.vertex_faces)
+
+    @cached_property
+    def along_surface(self) -> "Topology":
+        """The same topology in the numbers of `ordering`; itself where there are no new ones."""
+        if self.ordering.vertices.order is None:
+            return self
+        return Topology(self.ordering.renumbered(self.faces), self.vertex_count, True)
 
     @cached_property
     def vertex_faces(self) -> Rows:
@@ -69,12 +93,27 @@ class Topology:
 
     @cached_property
     def face_ring(self) -> Rows:
-        """Faces tᵢ* that share a vertex or an edge with each face, without the face itself."""
-        return _rows(*rings.face_ring(self.faces, *self.vertex_faces))
+        """Faces tᵢ* that share a vertex or an edge with each face, without the face itself.
+
+        Raises
+        ------
+        MeshError
+            If these are too many, because very many faces meet in one vertex: k faces around a
+            vertex have k² neighbours.
+        """
+        around = self.vertex_faces.lengths.astype(np.int64)
+        if (around**2).sum() > _MOST_NEIGHBOURS:
+            raise MeshError(
+                f"{around.max():,} faces meet in one vertex, and each would be compared with all "
+                "others there; that takes more memory than is allowed."
+            )
+        return _rows(
+            *rings.face_ring(self.faces, *self.vertex_faces, self.face_edges, *self.edge_corners)
+        )
 
     @cached_property
     def _numbered_edges(self) -> tuple[IntArray, IntArray]:
-        edges, ring_edges = rings.number_edges(*self.vertex_ring)
+        edges, ring_edges = edge_tables.number_edges(*self.vertex_ring)
         frozen(edges)
         frozen(ring_edges)
         return edges, ring_edges
@@ -92,14 +131,14 @@ class Topology:
     @cached_property
     def face_edges(self) -> IntArray:
         """Edge numbers of each face, (n, 3); entry c runs from corner c to corner c + 1."""
-        result = rings.face_edges(self.faces, *self.vertex_ring, self.ring_edges)
+        result = edge_tables.face_edges(self.faces, *self.vertex_ring, self.ring_edges)
         frozen(result)
         return result
 
     @cached_property
     def edge_corners(self) -> Rows:
         """Corners 3·face + corner that lie opposite each edge, one for each face at the edge."""
-        return _rows(*rings.edge_corners(self.face_edges, len(self.edges)))
+        return _rows(*edge_tables.edge_corners(self.face_edges, len(self.edges)))
 
     @property
     def degrees(self) -> IntArray:
@@ -135,50 +174,52 @@ class Topology:
     @cached_property
     def pinched_vertices(self) -> BoolArray:
         """Mask of the vertices whose faces form more than one fan, (m,)."""
-        fans: IntArray = rings.fan_counts(self.faces, *self.vertex_faces)
-        return fans > 1
+        longest = int(self.degrees.max(initial=0))
+        mask: BoolArray = pieces.pinched_vertices(
+            self.faces, *self.vertex_faces, *self.vertex_ring, longest
+        )
+        return mask
 
     @cached_property
     def vertex_components(self) -> IntArray:
         """Number of the connected component of each vertex, (m,)."""
-        return connected_components(self.adjacency, directed=False)[1].astype(np.int32)
+        components: IntArray = pieces.vertex_components(*self.vertex_ring)
+        return components
 
     @cached_property
     def component_count(self) -> int:
         """Number of connected components; an isolated vertex is one."""
-        return int(self.vertex_components.max(initial=-1)) + 1
+        return int(self.along_surface.vertex_components.max(initial=-1)) + 1
 
     @cached_property
-    def _orientation(self) -> tuple[IntArray, bool, bool]:
-        result: tuple[IntArray, bool, bool] = rings.orientation(
-            self.faces, self.face_edges, *self.edge_corners
-        )
-        return result
-
-    @property
-    def is_orientable(self) -> bool:
-        """Whether the faces can be wound consistently across every edge with two faces."""
-        return self._orientation[1]
-
-    @property
     def is_consistently_wound(self) -> bool:
         """Whether the faces are wound consistently across every edge with two faces."""
-        return self._orientation[2]
+        along = self.along_surface
+        return not edge_tables.winding_clashes(along.faces, *along.edge_corners)
+
+    @cached_property
+    def is_orientable(self) -> bool:
+        """Whether the faces can be wound consistently across every edge with two faces."""
+        along = self.along_surface
+        return self.is_consistently_wound or bool(
+            pieces.is_orientable(along.faces, along.face_edges, *along.edge_corners)
+        )
 
     @cached_property
     def is_closed(self) -> bool:
         """Whether every edge has exactly two faces."""
-        return bool(np.all(self.edge_corners.lengths == 2))
+        return bool(np.all(self.along_surface.edge_corners.lengths == 2))
 
     @cached_property
     def is_manifold(self) -> bool:
         """Whether no edge has more than two faces and no vertex joins two fans."""
-        return not (self.nonmanifold_edges.any() or self.pinched_vertices.any())
+        along = self.along_surface
+        return not (along.nonmanifold_edges.any() or along.pinched_vertices.any())
 
     @property
     def euler_characteristic(self) -> int:
         """Euler characteristic χ = m − e + n."""
-        return self.vertex_count - len(self.edges) + len(self.faces)
+        return self.vertex_count - len(self.along_surface.edges) + len(self.faces)
 
     @cached_property
     def genus(self) -> int | None:
@@ -188,6 +229,6 @@ class Topology:
         vertices, with isolated vertices, or one that cannot be oriented.
         """
         surface = self.is_closed and self.is_manifold and self.is_orientable
-        if not surface or np.any(self.degrees == 0):
+        if not surface or np.any(self.along_surface.degrees == 0):
             return None
         return (2 * self.component_count - self.euler_characteristic) // 2

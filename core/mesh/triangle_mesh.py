@@ -8,11 +8,8 @@ from numpy.typing import ArrayLike
 
 from core.arrays import FloatArray, IntArray, frozen
 from core.mesh import geometry
+from core.mesh.errors import MeshError
 from core.mesh.topology import Topology
-
-
-class MeshError(ValueError):
-    """Raised when arrays do not describe a triangle mesh; one sentence says why."""
 
 
 class TriangleMesh:
@@ -74,10 +71,27 @@ class TriangleMesh:
         positions = _vertex_array(vertices)
         if len(positions) != len(self._vertices):
             raise MeshError(f"{len(positions)} vertices given; the mesh has {len(self._vertices)}.")
-        twin = TriangleMesh.__new__(TriangleMesh)
-        twin._vertices = positions
-        twin._topology = self._topology
-        return twin
+        return self._on(self._topology, positions)
+
+    @staticmethod
+    def _on(topology: Topology, positions: FloatArray) -> "TriangleMesh":
+        mesh = TriangleMesh.__new__(TriangleMesh)
+        mesh._vertices = positions
+        mesh._topology = topology
+        return mesh
+
+    def along_surface(self) -> "TriangleMesh":
+        """Return this mesh in numbers that follow the surface, for long computations.
+
+        ``mesh.topology.ordering`` brings values into these numbers and back. It is this mesh where
+        the numbers already follow the surface.
+        """
+        along = self._topology.along_surface
+        if along is self._topology:
+            return self
+        positions = self._topology.ordering.vertices.inward(self._vertices)
+        frozen(positions)
+        return self._on(along, positions)
 
     @property
     def vertices(self) -> FloatArray:
@@ -107,7 +121,7 @@ class TriangleMesh:
     @cached_property
     def mean_edge_length(self) -> float:
         """Mean edge length ℓ̄ in model units, thesis eq. (2)."""
-        return geometry.mean_edge_length(self)
+        return geometry.mean_edge_length(self.along_surface())
 
     @property
     def euler_characteristic(self) -> int:
@@ -124,9 +138,9 @@ def _vertex_array(vertices: ArrayLike | Sequence[Sequence[float]]) -> FloatArray
     array = np.array(vertices, dtype=np.float64, order="C")
     if array.ndim != 2 or array.shape[1] != 3:
         raise MeshError(f"vertices have the shape {array.shape}; allowed is (m, 3).")
-    bad = np.flatnonzero(~np.isfinite(array).all(axis=1))
-    if len(bad):
-        raise MeshError(f"vertex {bad[0]} is {array[bad[0]].tolist()}; coordinates must be finite.")
+    if not np.isfinite(array).all():
+        bad = np.flatnonzero(~np.isfinite(array).all(axis=1))[0]
+        raise MeshError(f"vertex {bad} is {array[bad].tolist()}; coordinates must be finite.")
     frozen(array)
     return array
 
@@ -137,13 +151,14 @@ def _face_array(faces: ArrayLike | Sequence[Sequence[int]], vertex_count: int) -
         raise MeshError(f"faces have the shape {raw.shape}; allowed is (n, 3).")
     if not np.issubdtype(raw.dtype, np.integer):
         raise MeshError(f"faces are of type {raw.dtype}; vertex numbers must be integers.")
-    outside = np.flatnonzero(((raw < 0) | (raw >= vertex_count)).any(axis=1))
-    if len(outside):
+    if raw.size and (raw.min() < 0 or raw.max() >= vertex_count):
+        outside = np.flatnonzero(((raw < 0) | (raw >= vertex_count)).any(axis=1))[0]
         raise MeshError(
-            f"face {outside[0]} names the vertices {raw[outside[0]].tolist()}; "
+            f"face {outside} names the vertices {raw[outside].tolist()}; "
             f"allowed are 0 to {vertex_count - 1}."
         )
-    repeated = (raw == np.roll(raw, 1, axis=1)).any(axis=1)
+    a, b, c = raw.T
+    repeated = (a == b) | (b == c) | (c == a)
     if repeated.any():
         raise MeshError(f"face {np.flatnonzero(repeated)[0]} names a vertex twice.")
     array = np.array(raw, dtype=np.int32, order="C")

@@ -2,13 +2,18 @@
 
 import io
 import json
+import re
+import signal
 import struct
+import tracemalloc
 import zipfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
 import pytest
+
+from core.io import LoadError, load_mesh
 
 SQUARE = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], np.float64)
 
@@ -220,3 +225,68 @@ def make_3mf() -> Callable[..., bytes]:
         return archive_3mf(model_3mf(resources.format(square=SQUARE_3MF), build), **parts)
 
     return make
+
+
+# Reading may take this much besides the file itself: numbers become float64 and int64, text
+# becomes words, a scene is built of Python objects.
+_BYTES, _BYTES_A_BYTE = 3 << 20, 300
+_SECONDS = 10
+
+
+class _TooSlow(BaseException):
+    """Not an Exception, so that no reader can take it for its own."""
+
+
+def _stop(*_: object) -> None:
+    raise _TooSlow
+
+
+@pytest.fixture
+def attempt(tmp_path: Path) -> Iterator[Callable[[str, bytes], str]]:
+    """Read a file that may be anything, within bounds of time and memory.
+
+    Returns what was said about it, one sentence, or nothing where a mesh came out.
+    """
+
+    def read(name: str, content: bytes) -> str:
+        path = tmp_path / name
+        path.write_bytes(content)
+        tracemalloc.reset_peak()
+        before = tracemalloc.get_traced_memory()[1]
+        signal.setitimer(signal.ITIMER_REAL, _SECONDS)
+        try:
+            sentence = _outcome(path)
+        except BaseException:
+            (tmp_path / "culprit").write_bytes(content)
+            raise
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0)
+        taken = tracemalloc.get_traced_memory()[1] - before
+        assert taken < _BYTES + _BYTES_A_BYTE * len(content), f"{name}: {taken:,} bytes"
+        return sentence
+
+    (tmp_path / "first.glb").write_bytes(glb(gltf_tree()))
+    load_mesh(tmp_path / "first.glb")  # loads libraries, whose memory is not the file's
+    usual = signal.signal(signal.SIGALRM, _stop)
+    tracemalloc.start()
+    yield read
+    tracemalloc.stop()
+    signal.signal(signal.SIGALRM, usual)
+
+
+def _outcome(path: Path) -> str:
+    try:
+        mesh = load_mesh(path)
+    except LoadError as error:
+        sentence, cause = str(error), error.__cause__
+    else:
+        sentence, cause = "", None
+    assert not isinstance(cause, Warning), sentence
+    if sentence:
+        assert re.fullmatch(rf"{re.escape(path.name)}: [^\n]{{3,230}}\.", sentence), sentence
+        return sentence
+    assert len(mesh.faces)
+    assert np.isfinite(mesh.vertices).all()
+    assert mesh.faces.min() >= 0
+    assert mesh.faces.max() < len(mesh.vertices)
+    return ""

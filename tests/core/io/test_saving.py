@@ -10,8 +10,9 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from core.io import SUPPORTED_WRITE, SaveError, load_mesh, read_mesh, save_mesh, saving
+from core.io import SUPPORTED_WRITE, SaveError, load_mesh, read_mesh, save_mesh
 from core.mesh import TriangleMesh
+from core.whole_files import write_atomically
 
 EXACT = [".ply", ".obj", ".off"]
 FACES = [[0, 1, 2], [3, 2, 1], [4, 0, 3]]
@@ -103,5 +104,5 @@ def test_a_file_is_replaced_and_a_link_stays_a_link(ball, tmp_path):
 
 def test_the_new_file_has_the_usual_permissions(ball, tmp_path):
     (tmp_path / "plain").write_text("")
-    saving.write_atomically(tmp_path / "new", b"content")
+    write_atomically(tmp_path / "new", b"content")
     assert (tmp_path / "new").stat().st_mode == (tmp_path / "plain").stat().st_mode

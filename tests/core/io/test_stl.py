@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from core.io import LoadError, SaveError, load_mesh, read_mesh, save_mesh
-from core.io.stl import merge_equal
+from core.io.merging import merge_equal
 from core.mesh import TriangleMesh
 
 

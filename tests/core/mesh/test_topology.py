@@ -95,6 +95,36 @@ def test_face_ring_against_a_plain_search():
         assert mesh.topology.face_ring.row(t).tolist() == np.flatnonzero(touching).tolist()
 
 
+SOUPS = st.lists(st.permutations(range(7)).map(lambda order: order[:3]), min_size=1, max_size=14)
+"""Faces at random: doubled ones, edges with many faces, pinched vertices, all of it."""
+
+
+@given(SOUPS)
+def test_tables_of_any_soup_against_a_plain_search(faces):
+    topology = TriangleMesh(np.eye(7, 3), faces).topology
+    for t, face in enumerate(faces):
+        touching = [u for u, other in enumerate(faces) if u != t and set(face) & set(other)]
+        assert topology.face_ring.row(t).tolist() == touching
+    for i in range(7):
+        around = [face for face in faces if i in face]
+        link = nx.Graph([[j for j in face if j != i] for face in around])
+        assert topology.vertex_ring.row(i).tolist() == sorted(link)
+        assert topology.pinched_vertices[i] == (nx.number_connected_components(link) > 1)
+    graph = nx.Graph(map(tuple, topology.edges.tolist()))
+    graph.add_nodes_from(range(7))
+    assert topology.component_count == nx.number_connected_components(graph)
+
+
+@given(st.lists(st.booleans(), min_size=20, max_size=20))
+def test_turned_faces_can_be_turned_back(turned):
+    ball = primitives.icosahedron()
+    faces = np.where(np.array(turned)[:, None], ball.faces[:, ::-1], ball.faces)
+    topology = TriangleMesh(ball.vertices, faces).topology
+    assert topology.is_orientable
+    assert topology.is_consistently_wound == (all(turned) or not any(turned))
+    assert topology.genus == 0
+
+
 @given(st.permutations(range(12)), st.integers(0, 2))
 def test_renumbering_changes_nothing_that_counts(order, turn):
     ball = primitives.icosahedron()
