@@ -6,7 +6,9 @@ from pathlib import Path
 from typing import Any
 
 from app.folders import unpacked_folder
+from app.repair_words import repair_words, repairs_of
 from app.usage import UsageError
+from core.comparison import read_model
 from core.noise import NoiseParams
 from core.parameters import build_params
 from core.smoothing import method_spec
@@ -21,6 +23,7 @@ def study_of_words(
     model: str | None,
     *,
     file: Path | None = None,
+    repair: str | None = None,
     noisy: str | None = None,
     noise: dict[str, float | int | None] | None = None,
     methods: str | None = None,
@@ -39,6 +42,9 @@ def study_of_words(
     given = {name: value for name, value in (noise or {}).items() if value is not None}
     return base.model_copy(
         update={
+            "repairs": base.repairs
+            if repair is None
+            else repairs_of(repair, lambda: read_model(base.model).mesh),
             "noise": build_params(NoiseParams, {**base.noise.model_dump(), **given}, "noise"),
             "methods": _choices(base, methods, iterations, settings),
             "model_units": base.model_units or model_units,
@@ -49,6 +55,8 @@ def study_of_words(
 def command_of(study: Study) -> str:
     """Return the command line that carries out a study."""
     words = ["burnish", "compare", study.model]
+    if study.repairs:
+        words += ["--repair", repair_words(study.repairs)]
     if study.noisy is not None:
         words += ["--noisy", study.noisy]
     else:

@@ -5,12 +5,14 @@ It is what a file, an undo step and a command line hold; :mod:`core.comparison` 
 
 from typing import Literal
 
+from core.doctor import RepairChoice
 from core.fields import field_spec
 from core.metrics import MetricSpec, metrics_in
 from core.noise import NoiseParams
 from core.parameters import Params, build_params, param
 from core.skeleton import Bands, Spacing
 from core.smoothing import METHODS, method_spec
+from core.statistics_view import StatisticsSettings
 from core.view import ViewSettings
 
 SAMPLE_PREFIX = "sample:"
@@ -111,6 +113,7 @@ class Study(Params):
     version: Literal[1] = param(1, help="Version of the format.")
     model: str = param("sample:creature", help="Path of the original, or sample:ID.")
     noisy: str | None = param(None, help="Path of a separate noisy file; then no noise is added.")
+    repairs: tuple[RepairChoice, ...] = param((), help="Repairs of the model, in their order.")
     noise: NoiseParams = param(NoiseParams(), help="Noise added to the original.")
     methods: tuple[MethodChoice, ...] = param(default_choices(), help="Methods in display order.")
     metric: str = param("visual_error", help="Metric of the plot.")
@@ -119,6 +122,9 @@ class Study(Params):
     )
     view: ViewSettings = param(ViewSettings(), help="How the panes look.")
     skeleton: SkeletonSettings = param(SkeletonSettings(), help="What the Skeleton tab shows.")
+    statistics: StatisticsSettings = param(
+        StatisticsSettings(), help="What the Statistics tab shows."
+    )
 
     @property
     def metrics(self) -> dict[str, MetricSpec]:
@@ -126,8 +132,9 @@ class Study(Params):
         return metrics_in(model_units=self.model_units)
 
     def compares_like(self, other: "Study") -> bool:
-        """Whether both show the same comparison, whatever skeletons they show."""
-        return self.model_copy(update={"skeleton": other.skeleton}) == other
+        """Whether both show the same comparison, whatever the other tabs show."""
+        others = {"skeleton": other.skeleton, "statistics": other.statistics}
+        return self.model_copy(update=others) == other
 
     def choice(self, method: str) -> MethodChoice:
         """Return the choice made for a method; one that the study leaves out is not enabled."""

@@ -2,15 +2,15 @@
 
 from typing import Any
 
+from core.doctor import RepairChoice
 from core.study import SAMPLE_PREFIX, MethodChoice, Study
 
 _SCRIPT = '''"""A comparison of denoisers, written by Burnish."""
 
 from core import DivergenceError, {imports}
-from core.metrics import metrics_in
+{doctor_import}from core.metrics import metrics_in
 {sample_import}
-original = {original}
-noisy = {noisy}
+{originals}noisy = {noisy}
 
 # Method, iterations, and the parameters that differ from their defaults.
 methods = [
@@ -34,6 +34,8 @@ for method, iterations, params in methods:
         print(method, error)
 '''
 
+_DOCTOR_IMPORT = "from core.doctor import RepairChoice, repaired\n"
+
 
 def script_of(study: Study) -> str:
     """Return a Python script that gives the numbers of a study."""
@@ -43,8 +45,9 @@ def script_of(study: Study) -> str:
     bundled = any(model.startswith(SAMPLE_PREFIX) for model in models)
     return _SCRIPT.format(
         imports=", ".join(sorted({*loads, *noise, "smooth"})),
+        doctor_import=_DOCTOR_IMPORT if study.repairs else "",
         sample_import="from core.io import load_sample\n" if bundled else "",
-        original=_load(study.model),
+        originals=_originals(study),
         noisy=_noisy(study),
         methods="".join(_line(choice) for choice in study.methods if choice.enabled),
         model_units=study.model_units,
@@ -57,7 +60,25 @@ def _load(model: str) -> str:
     return f"load_mesh({model!r})"
 
 
+def _originals(study: Study) -> str:
+    """Lines that read the original, and repair it where the study does."""
+    if not study.repairs:
+        return f"original = {_load(study.model)}\n"
+    choices = "".join(f"    {_repair(choice)},\n" for choice in study.repairs)
+    return (
+        f"loaded = {_load(study.model)}\nwhole = repaired(loaded, [\n{choices}])\n"
+        "original = whole.mesh\n"
+    )
+
+
+def _repair(choice: RepairChoice) -> str:
+    params = f", params={choice.params!r}" if choice.params else ""
+    return f"RepairChoice(repair={choice.repair!r}{params})"
+
+
 def _noisy(study: Study) -> str:
+    if study.noisy is not None and study.repairs:
+        return f"whole.carry(loaded.with_vertices({_load(study.noisy)}.vertices))"
     if study.noisy is not None:
         return f"original.with_vertices({_load(study.noisy)}.vertices)"
     return f"add_noise(original, sigma={study.noise.sigma!r}, seed={study.noise.seed!r})"

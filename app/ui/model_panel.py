@@ -6,7 +6,9 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from app.session import Job, Session
+from app.session.doctor import Doctor
 from app.ui.controls import FaintLabel
+from app.ui.doctor_sign import DoctorSign
 from app.ui.mesh_facts import MeshFacts, mesh_facts
 from app.ui.noise_controls import NoiseControls
 from core.mesh import TriangleMesh
@@ -25,7 +27,8 @@ _FACTS = {
 class ModelPanel(QWidget):
     """Name and counts of the model, and its noise.
 
-    `noisy_file_requested` asks for a file that holds the noisy version of the model.
+    `noisy_file_requested` asks for a file that holds the noisy version of the model,
+    `doctor_requested` for the mesh doctor.
 
     Parameters
     ----------
@@ -34,6 +37,7 @@ class ModelPanel(QWidget):
     """
 
     noisy_file_requested = Signal()
+    doctor_requested = Signal()
 
     def __init__(self, session: Session) -> None:
         super().__init__()
@@ -42,6 +46,9 @@ class ModelPanel(QWidget):
         self.name = QLabel()
         self.report = FaintLabel()
         self.facts = {name: QLabel() for name in _FACTS}
+        self.doctor = Doctor(session)
+        self.sign = DoctorSign(self.doctor)
+        self.sign.clicked.connect(self.doctor_requested)
         self.noise = NoiseControls(session)
         self.noise.file_requested.connect(self.noisy_file_requested)
         self._lay_out()
@@ -60,6 +67,7 @@ class ModelPanel(QWidget):
         column.setSpacing(6)
         column.addWidget(self.name)
         column.addLayout(self._fact_grid())
+        column.addWidget(self.sign)
         column.addWidget(self.report)
         column.addSpacing(8)
         column.addWidget(self.noise)
@@ -110,7 +118,7 @@ class ModelPanel(QWidget):
             if mesh is self._measured:
                 self._show(facts)
 
-        self._session.jobs.start(Job(steps(), show), urgent=True)
+        self._session.jobs.start(Job(steps(), show, title="Measuring the model"), urgent=True)
 
     def _show(self, facts: MeshFacts) -> None:
         boundary = f"{facts.boundary_edges:,} edges" if facts.boundary_edges else "none (closed)"

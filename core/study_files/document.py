@@ -31,6 +31,7 @@ class Document(Params):
 
 def write_document(study: Study, files: Mapping[str, Fingerprint]) -> str:
     """Return a study, whose models are already named as in a file, as JSON."""
+    study = study.model_copy(update={"statistics": study.statistics.portable})
     document = Document(study=study, files=dict(files))
     # The document's own version says it all.
     plain = document.model_dump(mode="json", exclude={"study": {"version"}})
@@ -76,8 +77,11 @@ def _migrated(plain: dict[str, Any]) -> dict[str, Any]:
             f"was written by a newer Burnish (format version {version}; "
             f"this one reads up to {FORMAT_VERSION})"
         )
-    for old in range(version, FORMAT_VERSION):
-        plain = MIGRATIONS[old](plain)
+    try:
+        for old in range(version, FORMAT_VERSION):
+            plain = MIGRATIONS[old](plain)
+    except (LookupError, TypeError, AttributeError) as error:
+        raise ValueError(f"is damaged (it says format version {version})") from error
     return plain
 
 
@@ -101,7 +105,14 @@ def _check(document: Document) -> None:
     if len(set(methods)) < len(methods):
         raise ValueError("names a method twice")
     _ = [choice.settings for choice in study.methods]
+    _ = [choice.settings for choice in study.repairs]
     _ = [view.settings for view in study.skeleton.views]
+    _ = study.statistics.geodesic_params
+    if study.statistics != study.statistics.portable:
+        raise ValueError(
+            f"has statistics.second={study.statistics.second[:40]}; "
+            "allowed: none, noisy, method:ID, sample:ID"
+        )
     for name, id_, allowed in (
         ("metric", study.metric, METRICS),
         ("view.colour", study.view.colour, ("none", *METRICS)),

@@ -1,8 +1,14 @@
 """What can be wrong with a study file, each in one sentence."""
 
+from core.io.errors import printable
+
 
 class StudyFileError(ValueError):
     """Raised when a study file cannot be read or written; names the file and says why."""
+
+    def __init__(self, message: str) -> None:
+        # Names of files and fields may hold line ends and control characters.
+        super().__init__(printable(message, " "))
 
 
 class ModelError(StudyFileError):

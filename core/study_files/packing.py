@@ -12,15 +12,18 @@ from pathlib import Path
 
 from core.io import SUPPORTED_READ, read_mesh
 from core.io.ply import write_ply
-from core.io.saving import write_atomically
 from core.study_files.document import MOST_BYTES
 from core.study_files.fingerprints import Fingerprint, fingerprint, model_path
+from core.whole_files import write_atomically
 
 DOCUMENT = "study.json"
 MOST_MODEL_BYTES = 512 * 1024**2
 
 _METHODS = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}
 _LONGEST = 120
+# Models shrink 2 to 30 times; what grows more than this from a large file is made to fill the disk.
+_LARGEST_GROWTH = 200
+_ALWAYS_UNPACKED = 16 * 1024**2
 # A .gltf names further files, so its mesh is packed and not the file.
 _NOT_ALONE = ".gltf"
 
@@ -47,10 +50,23 @@ def pack(document: str, models: Mapping[str, bytes]) -> bytes:
     """Return a zip file of a document and models by their member names."""
     stream = io.BytesIO()
     with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
-        archive.writestr(DOCUMENT, document)
-        for member, content in models.items():
-            archive.writestr(member, content)
+        for member, content in {DOCUMENT: document.encode(), **models}.items():
+            entry = zipfile.ZipInfo(member)  # without the time: the same study, the same file
+            entry.external_attr = 0o644 << 16
+            archive.writestr(entry, content, _method(content))
     return stream.getvalue()
+
+
+def _method(content: bytes) -> int:
+    """Leave a model as it is that would shrink so much that nobody would unpack it again."""
+    if 2 * len(content) < _most_unpacked(0):
+        return zipfile.ZIP_DEFLATED
+    swells = 2 * len(content) > _most_unpacked(len(zlib.compress(content)))
+    return zipfile.ZIP_STORED if swells else zipfile.ZIP_DEFLATED
+
+
+def _most_unpacked(packed: int) -> int:
+    return max(_LARGEST_GROWTH * packed, _ALWAYS_UNPACKED)
 
 
 def packed_document(file: Path) -> bytes:
@@ -93,11 +109,19 @@ def _member(file: Path, member: str, most: int) -> bytes:
     try:
         with zipfile.ZipFile(file) as archive:
             info = archive.getinfo(member)
+            most = min(most, _most_unpacked(info.compress_size))
             if info.compress_type not in _METHODS or info.file_size > most:
                 raise ValueError(f"holds {member[:60]!r} in a size or form that is not allowed")
             with archive.open(info) as stream:
                 return stream.read(most)
     except KeyError as error:
         raise ValueError(f"does not hold {member[:60]!r}") from error
-    except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, RuntimeError) as error:
+    except (
+        zipfile.BadZipFile,
+        zlib.error,
+        EOFError,
+        NotImplementedError,
+        RuntimeError,
+        MemoryError,
+    ) as error:
         raise ValueError("is a packed study that is damaged") from error

@@ -4,6 +4,7 @@ import os
 from pathlib import Path
 from typing import Literal
 
+from core.io import SUPPORTED_READ
 from core.study import SAMPLE_PREFIX
 
 Role = Literal["model", "noisy"]
@@ -33,13 +34,14 @@ def read_place(text: str, folder: Path) -> str:
     Raises
     ------
     ValueError
-        If the text is not the name of a file on this computer.
+        If the text is not the name of a model on this computer.
     """
     if text.startswith(SAMPLE_PREFIX):
         return text
-    # A share on the network would be told who asks for it.
-    bad = not text or "\0" in text or len(text) > _LONGEST or text.startswith(("//", "\\\\"))
-    if bad:
+    # A share on the network would be told who asks for it, and what is no model is not touched.
+    is_share = text.replace("\\", "/").startswith("//")
+    is_model = Path(text).suffix.lower() in SUPPORTED_READ
+    if is_share or not is_model or "\0" in text or len(text) > _LONGEST:
         raise ValueError(f"{text[:60]!r} is not the place of a model")
     return os.path.normpath(folder.absolute() / text)
 

@@ -4,13 +4,13 @@ import os
 from collections.abc import Mapping
 from pathlib import Path
 
-from core.io.saving import write_atomically
 from core.study import SAMPLE_PREFIX, Study
 from core.study_files.document import write_document
 from core.study_files.errors import StudyFileError
 from core.study_files.fingerprints import Fingerprint, fingerprint
 from core.study_files.packing import pack, packable
 from core.study_files.places import PACKED_PREFIX, ROLES, place_name, written_place
+from core.whole_files import write_atomically
 
 
 def study_text(study: Study, folder: Path, known: Mapping[str, Fingerprint] | None = None) -> str:

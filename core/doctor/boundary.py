@@ -1,0 +1,86 @@
+"""The loops in which a surface ends, followed from fan to fan."""
+
+from collections.abc import Iterator
+from itertools import pairwise
+
+import numpy as np
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+
+from core.arrays import IntArray
+from core.doctor.spec import Numbers
+from core.doctor.splitting import fans
+from core.kernels import kernel
+from core.mesh import TriangleMesh
+
+
+def boundary_loops(mesh: TriangleMesh) -> list[IntArray]:
+    """Vertices of each boundary loop, in the order in which a patch has to run along it.
+
+    Loops are followed from fan to fan, so holes that touch at a pinched vertex have one loop, as
+    they have once the vertex is split. Where the faces are not wound consistently a loop has no
+    direction and is left out.
+    """
+    start, end, vertex = _half_edges(mesh)
+    count = 3 * len(mesh.faces)
+    outgoing = np.bincount(start, minlength=count) == 1
+    incoming = np.bincount(end, minlength=count) == 1
+    at = np.full(count, -1)
+    at[start] = np.arange(len(start))
+    following = np.where((outgoing & incoming)[end], at[end], -1)
+    order, starts = _trace(following)
+    return [vertex[order[a:b]] for a, b in pairwise(starts)]
+
+
+def _half_edges(mesh: TriangleMesh) -> tuple[Numbers, Numbers, IntArray]:
+    """Fans at the start and the end of each boundary edge, run against its face; start vertex."""
+    face, c = np.nonzero(mesh.topology.boundary_edges[mesh.topology.face_edges])
+    fan = fans(mesh).reshape(-1, 3)
+    following = (c + 1) % 3
+    return fan[face, following], fan[face, c], mesh.faces[face, following]
+
+
+@kernel
+def _trace(following: Numbers) -> tuple[Numbers, Numbers]:
+    """Closed rounds of a successor table, one after the other, and where each begins."""
+    n = len(following)
+    order, starts = np.zeros(n, np.int64), np.zeros(n + 1, np.int64)
+    state = np.zeros(n, np.int8)  # 1: walked over
+    length, loops = 0, 0
+    for seed in range(n):
+        at, first = seed, length
+        while at >= 0 and state[at] == 0:
+            state[at] = 1
+            order[length] = at
+            length += 1
+            at = following[at]
+        if at == seed and length > first:
+            loops += 1
+            starts[loops] = length
+        else:
+            length = first
+    return order[:length], starts[: loops + 1]
+
+
+def loop_count(mesh: TriangleMesh) -> int:
+    """Number of boundary loops; counts those too that have no direction."""
+    start, end, _ = _half_edges(mesh)
+    names, numbers = np.unique(np.concatenate([start, end]), return_inverse=True)
+    first, second = numbers.reshape(2, -1)
+    ones = np.ones(len(first), np.int8)
+    graph = coo_array((ones, (first, second)), shape=(len(names), len(names)))
+    return int(connected_components(graph, directed=False)[0]) if len(names) else 0
+
+
+def simple_loops(mesh: TriangleMesh) -> Iterator[IntArray]:
+    """Boundary loops, cut where they come back to a vertex."""
+    for loop in boundary_loops(mesh):
+        walked: dict[int, None] = {}  # in the order of the walk
+        for vertex in loop.tolist():
+            if vertex in walked:
+                back = [walked.popitem()[0]]
+                while back[-1] != vertex:
+                    back.append(walked.popitem()[0])
+                yield np.array(back[::-1], np.int32)
+            walked[vertex] = None
+        yield np.array(list(walked), np.int32)
