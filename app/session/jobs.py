@@ -10,12 +10,18 @@ from collections import deque
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from functools import partial
-from typing import Any
+from typing import Any, TypeVar
+
+from app.session.running import RunningTasks, Task
+from core.statistics import Progress
 
 logger = logging.getLogger(__name__)
 
+T = TypeVar("T")
 Post = Callable[[Callable[[], None]], None]
 """Runs a function on the thread that owns the session."""
+
+_PATIENCE = 0.3
 
 
 def _ignore(_: Any) -> None:
@@ -23,8 +29,11 @@ def _ignore(_: Any) -> None:
 
 
 @dataclass(eq=False)
-class Job:
+class Job(Task):
     """A piece of work: a generator and what to do with what it yields.
+
+    A job that is cancelled stops after the step that is running; nobody hears of its outcome, but
+    `on_done` is still called.
 
     Attributes
     ----------
@@ -32,17 +41,38 @@ class Job:
         Advanced on the worker thread.
     on_step, on_error, on_done : callable
         Called on the owner's thread with each item, with an exception, and at the end.
+    late : bool
+        Whether `on_step` is to get the step too that was running when the job was cancelled.
+    urgent : bool
+        Whether it takes its turn before those that are not.
     """
 
     steps: Iterator[Any]
     on_step: Callable[[Any], None] = _ignore
     on_error: Callable[[Exception], None] = _ignore
     on_done: Callable[[], None] = lambda: None
-    cancelled: bool = field(default=False, init=False)
+    late: bool = field(default=False, kw_only=True)
+    urgent: bool = field(default=False, init=False)
 
-    def cancel(self) -> None:
-        """Stop after the step that is running; `on_done` is still called."""
-        self.cancelled = True
+
+def progress_job(
+    steps: Iterator[Progress[T]],
+    use: Callable[[T], None],
+    on_error: Callable[[Exception], None] = _ignore,
+    on_done: Callable[[], None] = lambda: None,
+    *,
+    title: str,
+) -> Job:
+    """Make a job of steps that tell how far they are, of which only the values are used."""
+    reached: float | None = None
+
+    def step(progress: Progress[T]) -> None:
+        nonlocal reached
+        reached = progress.share
+        if progress.value is not None:
+            use(progress.value)
+
+    return Job(steps, step, on_error, on_done, title=title, share=lambda: reached)
 
 
 class Jobs:
@@ -52,44 +82,71 @@ class Jobs:
     ----------
     post : callable
         Runs a function on the owner's thread; the default runs it at once, on the worker.
+    tasks : RunningTasks, optional
+        Where the jobs are listed while they run.
+    must_finish : bool
+        Whether what was started is carried out even when the jobs are closed.
     """
 
-    def __init__(self, post: Post = lambda call: call()) -> None:
+    def __init__(
+        self,
+        post: Post = lambda call: call(),
+        tasks: RunningTasks | None = None,
+        *,
+        must_finish: bool = False,
+    ) -> None:
+        self.tasks = tasks or RunningTasks()
         self._post = post
+        self._must_finish = must_finish
+        self._urgent: deque[Job] = deque()
         self._queue: deque[Job] = deque()
+        self._unfinished: set[Job] = set()
         self._wake = threading.Condition()
         self._closed = False
         self._thread = threading.Thread(target=self._work, name="burnish-jobs", daemon=True)
         self._thread.start()
 
     def start(self, job: Job, *, urgent: bool = False) -> Job:
-        """Add a job; an urgent one takes the next turn."""
+        """Add a job; urgent ones take their turns before all others."""
+        job.urgent = urgent
+        self._unfinished.add(job)
+        self.tasks.begin(job)
         with self._wake:
-            if urgent:
-                self._queue.appendleft(job)
-            else:
-                self._queue.append(job)
+            self._put(job)
             self._wake.notify()
         return job
 
     def close(self) -> None:
-        """Drop all jobs and wait for the step that is running."""
+        """Drop all jobs; give the step that is running a moment to end.
+
+        A step that takes longer goes on by itself and nobody hears of its outcome: there is no way
+        to cut it, and whoever closes is not to wait. Jobs that must finish are waited for.
+        """
         with self._wake:
             self._closed = True
-            self._queue.clear()
+            if not self._must_finish:
+                self._urgent.clear()
+                self._queue.clear()
             self._wake.notify()
-        self._thread.join()
+        for job in list(self._unfinished):
+            self._forget(job)
+        self._thread.join(None if self._must_finish else _PATIENCE)
+
+    def _put(self, job: Job) -> None:
+        (self._urgent if job.urgent else self._queue).append(job)
 
     def _work(self) -> None:
         while (job := self._next()) is not None:
-            if self._advance(job):
-                with self._wake:
-                    self._queue.append(job)
+            more = self._advance(job)
+            with self._wake:
+                if more and (self._must_finish or not self._closed):
+                    self._put(job)
 
     def _next(self) -> Job | None:
         with self._wake:
-            self._wake.wait_for(lambda: self._closed or self._queue)
-            return None if self._closed else self._queue.popleft()
+            self._wake.wait_for(lambda: self._closed or self._urgent or self._queue)
+            queue = self._urgent or self._queue
+            return queue.popleft() if queue else None
 
     def _advance(self, job: Job) -> bool:
         """Take one step of a job; tell whether there is more."""
@@ -98,14 +155,34 @@ class Jobs:
         except Exception as error:
             # Whatever a worker raises belongs to its owner.
             logger.info("job failed", exc_info=error)
-            self._deliver(partial(job.on_error, error))
+            self._deliver(partial(_unless_cancelled, job, job.on_error, error))
             item = None
         if item is None:
-            self._deliver(job.on_done)
+            self._deliver(partial(self._end, job))
             return False
-        self._deliver(lambda: job.on_step(item))
+        self._deliver(partial(_unless_cancelled, job, job.on_step, item, late=job.late))
         return True
 
+    def _end(self, job: Job) -> None:
+        self._forget(job)
+        job.on_done()
+
+    def _forget(self, job: Job) -> None:
+        self._unfinished.discard(job)
+        self.tasks.end(job)
+
     def _deliver(self, call: Callable[[], None]) -> None:
+        with self._wake:  # the owner may be gone as soon as it has closed
+            if not self._closed:
+                self._post(partial(self._unless_closed, call))
+
+    def _unless_closed(self, call: Callable[[], None]) -> None:
         if not self._closed:
-            self._post(call)
+            call()
+
+
+def _unless_cancelled(
+    job: Job, call: Callable[[Any], None], value: Any, *, late: bool = False
+) -> None:
+    if late or not job.cancelled:
+        call(value)

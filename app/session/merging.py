@@ -15,5 +15,5 @@ def carried_over(wanted: Study, before: Study, now: Study) -> Study:
 
 def sources_of(study: Study) -> dict[str, object]:
     """What the meshes of a study, and how they are compared, depend on."""
-    names = ("model", "noisy", "noise", "model_units")
+    names = ("model", "repairs", "noisy", "noise", "model_units")
     return {name: getattr(study, name) for name in names}

@@ -1,10 +1,12 @@
 """Reading the meshes of a study, without reading twice what has not changed."""
 
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
 from core.comparison import Comparison, matched, read_model
-from core.io import LoadedMesh
+from core.doctor import Repaired, repaired
+from core.io import LoadedMesh, LoadError
 from core.noise import add_noise
 from core.study import SAMPLE_PREFIX, Study
 from core.study_files import Fingerprint, fingerprint
@@ -33,6 +35,8 @@ class Meshes:
         The original and the noisy mesh.
     fingerprints : dict of str to Fingerprint
         What each file was when it was read.
+    repairs : tuple of str
+        What each repair of the study changed, one sentence for each.
     """
 
     key: str
@@ -40,6 +44,7 @@ class Meshes:
     report: tuple[str, ...]
     comparison: Comparison
     fingerprints: dict[str, Fingerprint]
+    repairs: tuple[str, ...] = ()
 
 
 class MeshReader:
@@ -54,7 +59,9 @@ class MeshReader:
     def __init__(self, budget: int) -> None:
         self.budget = budget
         self._files: dict[tuple[str, int], tuple[LoadedMesh, Fingerprint]] = {}
+        self._repaired: dict[str, Repaired] = {}
         self._meshes: dict[str, Meshes] = {}
+        self._open: set[str | None] = set()
 
     def known(self, study: Study) -> Meshes | None:
         """Return the meshes of a study where they are still there."""
@@ -64,6 +71,7 @@ class MeshReader:
         """Read the meshes of a study and prepare what every method needs."""
         meshes = self._read(study)
         self._meshes[meshes.key] = meshes
+        self._open = {study.model, study.noisy}
         while len(self._meshes) > _FEWEST_PAIRS and self._bytes() > _SHARE * self.budget:
             self._meshes.pop(next(iter(self._meshes)))
         return meshes
@@ -76,29 +84,66 @@ class MeshReader:
         key = mesh_key(study)
         original, mark = self._file(study.model)
         marks = {study.model: mark}
+        whole = self._whole(study, original)
         if study.noisy is None:
-            noisy = add_noise(original.mesh, study.noise.sigma, study.noise.seed)
+            noisy = add_noise(whole.mesh, study.noise.sigma, study.noise.seed)
         else:
             scan, marks[study.noisy] = self._file(study.noisy)
-            noisy = matched(original.mesh, scan)
-        comparison = Comparison(original.mesh, noisy, study.model_units)
+            noisy = whole.carry(matched(original.mesh, scan))
+        comparison = Comparison(whole.mesh, noisy, study.model_units)
         _ = comparison.noisy_errors  # prepares the metrics here, beside the window
-        return Meshes(key, original.name, original.report, comparison, marks)
+        return Meshes(key, original.name, original.report, comparison, marks, whole.changes)
+
+    def _whole(self, study: Study, original: LoadedMesh) -> Repaired:
+        """Repair the original; kept, so that other noise finds the same topology."""
+        key = "|".join([_file_key(study.model), *_repair_keys(study)])
+        if key not in self._repaired:
+            self._repaired[key] = repaired(original.mesh, study.repairs)
+        while len(self._repaired) > _KEPT:
+            self._repaired.pop(next(iter(self._repaired)))
+        return self._repaired[key]
 
     def _file(self, model: str) -> tuple[LoadedMesh, Fingerprint]:
         key = (model, _changed_at(model))
         if key not in self._files:
-            self._files[key] = read_model(model), fingerprint(model)
+            self._files[key] = self._last_known(model) or _read_with_mark(model)
         while len(self._files) > _KEPT:
             self._files.pop(next(iter(self._files)))
         return self._files[key]
 
+    def _last_known(self, model: str) -> tuple[LoadedMesh, Fingerprint] | None:
+        """What the open file was if it is no longer there: work on it goes on."""
+        if model not in self._open or model.startswith(SAMPLE_PREFIX) or Path(model).exists():
+            return None
+        known = [key for key in self._files if key[0] == model]
+        return self._files[known[-1]] if known else None
+
+
+def _read_with_mark(model: str) -> tuple[LoadedMesh, Fingerprint]:
+    """Read a model and say what its file was; both must be of the same content."""
+    before = _changed_at(model)
+    loaded = read_model(model)
+    with suppress(OSError):
+        mark = fingerprint(model)
+        if _changed_at(model) == before:
+            return loaded, mark
+    raise LoadError(f"{loaded.name}: has changed while it was read; open it again.")
+
 
 def mesh_key(study: Study) -> str:
     """Say what the meshes of a study are made from, the state of the files included."""
-    files = [f"{model}@{_changed_at(model)}" for model in (study.model, study.noisy) if model]
+    files = [_file_key(model) for model in (study.model, study.noisy) if model]
     noise = "" if study.noisy else study.noise.model_dump_json()
-    return "|".join([*files, noise, "model units" if study.model_units else ""])
+    units = "model units" if study.model_units else ""
+    return "|".join([*files, *_repair_keys(study), noise, units])
+
+
+def _file_key(model: str) -> str:
+    return f"{model}@{_changed_at(model)}"
+
+
+def _repair_keys(study: Study) -> list[str]:
+    return [choice.model_dump_json() for choice in study.repairs]
 
 
 def _changed_at(model: str) -> int:

@@ -1,7 +1,7 @@
 """The one observable of the program: the current study and what has been computed for it."""
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Collection, Iterator
+from pathlib import Path
 
 from psygnal import Signal
 
@@ -9,21 +9,14 @@ from app.session.history import History
 from app.session.jobs import Job, Jobs, Post
 from app.session.merging import carried_over, sources_of
 from app.session.meshes import Meshes, MeshReader
+from app.session.running import RunningTasks
 from app.session.runs import Run, RunKey, RunStore
+from app.session.sentences import sentence_of
 from core.comparison import Snapshot
 from core.smoothing import METHODS, DivergenceError
-from core.study import MethodChoice, Study
+from core.study import SAMPLE_PREFIX, MethodChoice, Study
 
 _BUDGET = 4 * 1024**3
-_EXPECTED = (ValueError, OSError, MemoryError)
-
-
-@dataclass(frozen=True)
-class Activity:
-    """What is being computed: a text and the share that is done (None: not known)."""
-
-    text: str
-    share: float | None
 
 
 class Session:
@@ -38,6 +31,15 @@ class Session:
         Runs a function on the owner's thread.
     budget : int
         Memory for snapshots in bytes.
+
+    Attributes
+    ----------
+    tasks : RunningTasks
+        All that runs, of the study and beside it.
+    jobs : Jobs
+        Carries out what is computed.
+    saving : Jobs
+        Carries out what is saved, which closing waits for.
     """
 
     study_changed = Signal(Study, Study)
@@ -47,7 +49,7 @@ class Session:
     run_changed = Signal(str)
     """The run of a method has grown or ended: (method id)."""
     activity_changed = Signal()
-    """What is being computed has changed."""
+    """What is being computed for the study has changed."""
     failed = Signal(str)
     """Something could not be done: one sentence for the user."""
     broken = Signal(Exception)
@@ -59,7 +61,9 @@ class Session:
         self.study = Study()
         self.meshes: Meshes | None = None
         self.history = History()
-        self.jobs = Jobs(post)
+        self.tasks = RunningTasks()
+        self.jobs = Jobs(post, self.tasks)
+        self.saving = Jobs(post, self.tasks, must_finish=True)
         self._reader = MeshReader(budget)
         self._store = RunStore(budget)
         self._running: dict[RunKey, Job] = {}
@@ -87,17 +91,10 @@ class Session:
 
     def cancel(self) -> None:
         """Stop all work; what is there stays, and sliders beyond it go back to it."""
-        if self._loading:
-            self._loading.cancel()
-        study = self.study
-        for key, choice in self._wanted().items():
-            run = self._store.get(key)
-            if run and run.computed < choice.iterations and not run.diverged:
-                update = {"iterations": run.computed}
-                study = study.with_choice(choice.model_copy(update=update))
         for job in self._running.values():
             job.cancel()
-        self.apply(study, "Cancel")
+        self._set_back(self._wanted())
+        self.tasks.cancel_all()
 
     @property
     def budget(self) -> int:
@@ -110,8 +107,10 @@ class Session:
         self._store.trim(self._wanted())
 
     def close(self) -> None:
-        """Stop all work for good."""
+        """Stop all work for good; only what is being saved is saved."""
         self.jobs.close()
+        self.saving.close()
+        self.tasks.cancel_all()
 
     def run(self, method: str) -> Run | None:
         """Return what is known of a method with its current parameters."""
@@ -123,16 +122,17 @@ class Session:
         return min(self.study.choice(method).iterations, run.computed) if run else 0
 
     @property
-    def activity(self) -> Activity | None:
-        """What is being computed, or None."""
+    def activity(self) -> str | None:
+        """What is being computed for the study, or None."""
         if self._loading:
-            return Activity("Loading", None)
+            return self._loading.title
         busy = [choice for key, choice in self._wanted().items() if key in self._running]
-        if not busy:
-            return None
-        done = sum(self.shown_iteration(choice.method) for choice in busy)
-        titles = ", ".join(METHODS[choice.method].title for choice in busy)
-        return Activity(f"Smoothing: {titles}", done / max(sum(c.iterations for c in busy), 1))
+        return ", ".join(METHODS[choice.method].title for choice in busy) or None
+
+    @property
+    def is_loading(self) -> bool:
+        """Whether other meshes are on their way."""
+        return self._loading is not None
 
     def _needs_meshes(self, study: Study) -> bool:
         return self.meshes is None or sources_of(study) != sources_of(self.study)
@@ -144,7 +144,7 @@ class Session:
             self._stop_loading()
             self._adopt(study, None, known)
         elif self._needs_meshes(study):
-            self._load(study, None, on_failure=lambda: go_back(study))
+            self._load(study, None, stay=lambda: go_back(study))
         elif study != self.study:
             self._replace(study)
 
@@ -158,9 +158,12 @@ class Session:
             self._loading.cancel()
 
     def _load(
-        self, study: Study, name: str | None, on_failure: Callable[[], object] = lambda: None
+        self, study: Study, name: str | None, stay: Callable[[], object] = lambda: None
     ) -> None:
-        """Read the meshes of a study; with a name it becomes an undoable step."""
+        """Read the meshes of a study; with a name it becomes an undoable step.
+
+        Where it does not come to that, `stay` makes the history fit again.
+        """
         self._stop_loading()
         before = self.study
 
@@ -173,14 +176,14 @@ class Session:
                 self.activity_changed.emit()
 
         def loaded(meshes: Meshes) -> None:
-            if not job.cancelled:
-                self._adopt(carried_over(study, before, self.study), name, meshes)
+            self._adopt(carried_over(study, before, self.study), name, meshes)
 
         def failed(error: Exception) -> None:
-            on_failure()
+            stay()
             self.report(error)
 
-        self._loading = job = Job(read(), loaded, failed, done)
+        title = f"Loading {Path(study.model.removeprefix(SAMPLE_PREFIX)).name}"
+        self._loading = job = Job(read(), loaded, failed, done, title=title, on_cancel=stay)
         self.jobs.start(job, urgent=True)
         self.activity_changed.emit()
 
@@ -232,18 +235,38 @@ class Session:
                 self.run_changed.emit(choice.method)
                 self.activity_changed.emit()
 
+        def share() -> float:
+            known = self._store.get(key)
+            return known.computed / max(target(), 1) if known else 0.0
+
         def done() -> None:
             # A slider may have asked for more, or a cancelled run may be wanted again.
             self._running.pop(key, None)
             self._run_missing()
 
-        job = Job(source.advance(target), extend, self.report, done)
+        job = Job(
+            source.advance(target), extend, self.report, done,
+            title=METHODS[choice.method].title, share=share,
+            on_cancel=lambda: self._set_back({key}), late=True,
+        )  # fmt: skip
         self._running[key] = job
         self.jobs.start(job)
 
+    def _set_back(self, keys: Collection[RunKey]) -> None:
+        """Let the sliders of runs go back to what is there, as one step that can be undone."""
+        study = self.study
+        for key, choice in self._wanted().items():
+            run = self._store.get(key)
+            if key in keys and run and run.computed < choice.iterations and not run.diverged:
+                update = {"iterations": run.computed}
+                study = study.with_choice(choice.model_copy(update=update))
+        if study != self.study:
+            self.apply(study, "Cancel")
+
     def report(self, error: Exception) -> None:
         """Tell what a job raised: a sentence where the input was at fault, else a fault."""
-        if isinstance(error, _EXPECTED):
-            self.failed.emit(str(error) or type(error).__name__)
-        else:
+        sentence = sentence_of(error)
+        if sentence is None:
             self.broken.emit(error)
+        else:
+            self.failed.emit(sentence)

@@ -1,5 +1,6 @@
 """Does the graph stay the same when the model is turned, moved, scaled and mirrored? Figure 5.7."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import networkx as nx
@@ -12,6 +13,7 @@ from core.arrays import FloatArray
 from core.fields import scalar_field
 from core.mesh.geometry import bounding_box
 from core.skeleton import SkeletalGraph, band_levels, graph_of
+from core.statistics import Progress
 
 _LARGEST_SCALE = 10.0
 
@@ -84,7 +86,7 @@ def random_motion(seed: int, size: float) -> Motion:
     return Motion(angle, scale, rng.uniform(-1, 1, 3) * size * scale, matrix)
 
 
-def check_invariance(skeleton: Skeleton, seed: int) -> InvarianceReport:
+def invariance_steps(skeleton: Skeleton, seed: int) -> Iterator[Progress[InvarianceReport]]:
     """Move the model of a skeleton at random, draw its graph again and compare."""
     view, mesh = skeleton.view, skeleton.mesh
     low, high = bounding_box(mesh.vertices)
@@ -92,15 +94,19 @@ def check_invariance(skeleton: Skeleton, seed: int) -> InvarianceReport:
     motion = random_motion(seed, size)
     moved = mesh.with_vertices(motion.move(mesh.vertices))
     field = scalar_field(moved, view.field, **view.params)
+    yield Progress(None, 0.25)
     levels = band_levels(moved, field, view.resolution, view.spacing)
+    yield Progress(None, 0.5)
     graph = graph_of(moved, field, levels, bands=view.bands, root=view.root)
-    return InvarianceReport(
+    yield Progress(None, 0.75)
+    report = InvarianceReport(
         motion,
         _counts(skeleton.graph),
         _counts(graph),
         is_same_graph(skeleton.graph, graph),
         _displacement(skeleton.graph, motion.undo(graph.nodes)) / size,
     )
+    yield Progress(report, 1.0)
 
 
 def is_same_graph(one: SkeletalGraph, other: SkeletalGraph) -> bool:

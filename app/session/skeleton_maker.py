@@ -2,7 +2,7 @@
 
 import time
 from collections import OrderedDict
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Iterator
 from dataclasses import dataclass, replace
 from typing import TypeVar
 
@@ -27,11 +27,13 @@ from core.skeleton import (
     loop_checks,
 )
 from core.skeleton.levels import LevelRule
+from core.statistics import Progress
 from core.study import SkeletonView
 
 T = TypeVar("T")
 
 _SKETCH_FACES = 24_000
+_NOTICED = 0.02
 _FEW = 6
 _MANY = 160
 
@@ -152,20 +154,27 @@ class SkeletonMaker:
         ParameterError, MeshError
             If a setting is not allowed or the surface has no graph.
         """
-        mesh, key = self.mesh(source, view), _mesh_key(source, view)
-        field, key = self.field(source, view), f"{key}|{_field_key(view)}"
-        rule: LevelRule = self._rules.get(
-            (key, view.spacing), lambda: level_rule(mesh, field, view.spacing)
-        )
-        surfaces = self._component_surfaces(source, view)
-        sketch = self._sketches.get(_mesh_key(source, view), lambda: sketch_of(mesh))
+        mesh, field = self.mesh(source, view), self.field(source, view)
+        rule, surfaces = self._rule(source, view), self._component_surfaces(source, view)
+        sketch = self._sketch(source, view)
         size = self._sizes.get(_mesh_key(source, view), lambda: diagonal(mesh))
 
         def draw() -> Skeleton:
             drawn = _draw(view, mesh, field, rule(view.resolution), surfaces)
             return replace(drawn, size=size, sketch=sketch)
 
+        key = f"{_mesh_key(source, view)}|{_field_key(view)}"
         return self._graphs.get((key, view.model_dump_json()), draw)
+
+    def steps(self, source: SkeletonSource, view: SkeletonView) -> Iterator[Progress[Skeleton]]:
+        """Draw the graph of a view as `make` does, one stage that is not there yet at a time."""
+        stages = (self.mesh, self.field, self._rule, self._component_surfaces, self._sketch)
+        for done, stage in enumerate(stages, 1):
+            started = time.perf_counter()
+            stage(source, view)
+            if time.perf_counter() - started > _NOTICED:
+                yield Progress(None, done / (len(stages) + 1))
+        yield Progress(self.make(source, view), 1.0)
 
     def mesh(self, source: SkeletonSource, view: SkeletonView) -> TriangleMesh:
         """Return the surface of a view, decimated as it asks."""
@@ -177,6 +186,15 @@ class SkeletonMaker:
         mesh = self.mesh(source, view)
         key = f"{_mesh_key(source, view)}|{_field_key(view)}"
         return self._fields.get(key, lambda: scalar_field(mesh, view.field, **view.params))
+
+    def _rule(self, source: SkeletonSource, view: SkeletonView) -> LevelRule:
+        mesh, field = self.mesh(source, view), self.field(source, view)
+        key = _mesh_key(source, view), _field_key(view), view.spacing
+        return self._rules.get(key, lambda: level_rule(mesh, field, view.spacing))
+
+    def _sketch(self, source: SkeletonSource, view: SkeletonView) -> Sketch | None:
+        mesh = self.mesh(source, view)
+        return self._sketches.get(_mesh_key(source, view), lambda: sketch_of(mesh))
 
     def _component_surfaces(
         self, source: SkeletonSource, view: SkeletonView

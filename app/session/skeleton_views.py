@@ -2,20 +2,23 @@
 
 from collections.abc import Callable, Iterator
 from functools import partial
-from typing import Any
+from typing import TypeVar
 
 from psygnal import Signal
 
-from app.session.jobs import Job
+from app.session.jobs import Job, progress_job
 from app.session.session import Session
-from app.session.skeleton_invariance import InvarianceReport, check_invariance
+from app.session.skeleton_invariance import InvarianceReport, invariance_steps
 from app.session.skeleton_maker import Skeleton, SkeletonMaker, SkeletonSource
 from core.mesh import TriangleMesh
 from core.skeleton import AutomaticResolution, automatic_resolution
 from core.smoothing import METHODS
+from core.statistics import Progress
 from core.study import SkeletonView, Study
 
+T = TypeVar("T")
 VIEW_COUNT = 2
+_Made = tuple[tuple[str, SkeletonView], Skeleton | Exception]
 
 
 class SkeletonViews:
@@ -83,7 +86,7 @@ class SkeletonViews:
             )
             self._session.apply(study, "Automatic resolution")
 
-        self._run(view, _automatic, found)
+        self._run(view, "Automatic resolution", _automatic, found)
 
     def check_invariance(self, view: int, seed: int) -> None:
         """Move a view's model at random and compare; `invariance_checked` tells the outcome."""
@@ -91,18 +94,21 @@ class SkeletonViews:
         def checked(report: InvarianceReport) -> None:
             self.invariance_checked.emit(view, report)
 
-        self._run(view, lambda known: check_invariance(known, seed), checked)
+        title = "Check of invariance"
+        self._run(view, title, lambda known: invariance_steps(known, seed), checked)
 
-    def _run(self, view: int, work: Callable[[Skeleton], Any], use: Callable[[Any], None]) -> None:
+    def _run(
+        self,
+        view: int,
+        title: str,
+        work: Callable[[Skeleton], Iterator[Progress[T]]],
+        use: Callable[[T], None],
+    ) -> None:
         """Work on the graph of a view beside the window."""
         known = self._skeletons[view]
-        if known is None:
-            return
-
-        def steps() -> Iterator[Any]:
-            yield work(known)
-
-        self._session.jobs.start(Job(steps(), use, self._session.report), urgent=True)
+        if known is not None:
+            job = progress_job(work(known), use, self._session.report, title=title)
+            self._session.jobs.start(job, urgent=True)
 
     def _on_study_changed(self, study: Study, before: Study) -> None:
         if study.skeleton != before.skeleton or study.methods != before.methods:
@@ -128,29 +134,30 @@ class SkeletonViews:
         if self._jobs[index]:
             return
 
-        def steps() -> Iterator[tuple[tuple[str, SkeletonView], Skeleton | Exception]]:
+        def steps() -> Iterator[Progress[_Made]]:
             wanted = self._wanted[index]
             if wanted is not None:
-                source, view = wanted
-                yield (source.key, view), self._make(source, view)
+                yield from self._make(*wanted)
 
         def done() -> None:
             if self._jobs[index] is job:
                 self._jobs[index] = None
 
-        job = Job(steps(), partial(self._adopt, index), self._session.report, done)
+        adopt, title = partial(self._adopt, index), "Skeletal graph"
+        job = progress_job(steps(), adopt, self._session.report, done, title=title)
+        job.on_cancel = done  # what is asked for meanwhile need not wait
         self._jobs[index] = job
         self._session.jobs.start(job, urgent=True)
 
-    def _make(self, source: SkeletonSource, view: SkeletonView) -> Skeleton | Exception:
+    def _make(self, source: SkeletonSource, view: SkeletonView) -> Iterator[Progress[_Made]]:
+        drawn = source.key, view
         try:
-            return self._maker.make(source, view)
+            for step in self._maker.steps(source, view):
+                yield Progress((drawn, step.value) if step.value else None, step.share)
         except ValueError as error:
-            return error
+            yield Progress((drawn, error), 1.0)
 
-    def _adopt(
-        self, index: int, result: tuple[tuple[str, SkeletonView], Skeleton | Exception]
-    ) -> None:
+    def _adopt(self, index: int, result: _Made) -> None:
         self._drawn[index], made = result
         if isinstance(made, Skeleton):
             self._skeletons[index], self._problems[index] = made, ""
@@ -185,8 +192,9 @@ class SkeletonViews:
         )
 
 
-def _automatic(known: Skeleton) -> AutomaticResolution:
-    return automatic_resolution(known.mesh, known.field, spacing=known.view.spacing)
+def _automatic(known: Skeleton) -> Iterator[Progress[AutomaticResolution]]:
+    found = automatic_resolution(known.mesh, known.field, spacing=known.view.spacing)
+    yield Progress(found, 1.0)
 
 
 def _found_text(result: AutomaticResolution) -> str:

@@ -2,7 +2,7 @@
 
 import time
 from collections import OrderedDict
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
@@ -60,6 +60,11 @@ class _Task:
         subject = self.mesh.topology if self.kind == "spectrum" else self.mesh
         return self.kind, id(subject), str(self.params)
 
+    @property
+    def takes_steps(self) -> bool:
+        """Whether it is known on the way how far it is."""
+        return self.kind in {"spectrum", "geodesic"}
+
     def steps(self) -> Iterator[Progress[Any]]:
         """Carry it out."""
         if self.kind == "spectrum":
@@ -82,22 +87,22 @@ class StatisticsWork:
     ----------
     jobs : Jobs
         Where the work is done.
+    report : callable
+        Told of what goes wrong.
     """
 
     changed = Signal()
     """A result has come or grown, or other models are on show."""
     activity_changed = Signal()
     """What is being computed has changed."""
-    failed = Signal(str)
-    """Something could not be computed: one sentence."""
 
-    def __init__(self, jobs: Jobs) -> None:
+    def __init__(self, jobs: Jobs, report: Callable[[Exception], None]) -> None:
         self.models: tuple[Model, ...] = ()
         self.geodesic = GeodesicParams()
         self.spectrum = SpectrumParams()
         self.relative = False
         self.picked: tuple[int, int] | None = None
-        self._jobs = jobs
+        self._jobs, self._report = jobs, report
         self._told = 0.0
         # The task is kept with its result: its mesh must live as long as the key names its id.
         self._results: OrderedDict[tuple[Any, ...], tuple[_Task, Any, float]] = OrderedDict()
@@ -137,27 +142,17 @@ class StatisticsWork:
         self.changed.emit()
         self.activity_changed.emit()
 
-    def cancel(self) -> None:
-        """Stop all work; what is there stays."""
-        for task in self._tasks():
-            if task.key in self._running:
-                self._given_up[task.key] = task
-                self._running[task.key].cancel()
-
     @property
     def cancelled(self) -> bool:
         """Whether something that is wanted was given up."""
         return any(task.key in self._given_up for task in self._tasks())
 
     @property
-    def activity(self) -> tuple[str, float] | None:
-        """What is being computed and the share that is done, or None."""
+    def activity(self) -> str | None:
+        """What is being computed, or None."""
         busy = [task for task in self._tasks() if task.key in self._running]
-        if not busy:
-            return None
-        shares = [self._entry(task.key)[1] for task in busy]
         names = dict.fromkeys(_NAMES[task.kind] for task in busy)
-        return f"Computing {', '.join(names)}", sum(shares) / len(shares)
+        return f"Computing {', '.join(names)}" if names else None
 
     def series(self) -> list[Series]:
         """Return what is known of the models on show, in their order."""
@@ -211,15 +206,27 @@ class StatisticsWork:
 
         def failed(error: Exception) -> None:
             self._given_up[key] = task
-            self.failed.emit(str(error) or type(error).__name__)
+            self._report(error)
+
+        def give_up() -> None:
+            self._given_up[key] = task
+            self.activity_changed.emit()
 
         def done() -> None:
             self._running.pop(key, None)
             self.start()
 
-        job = Job(task.steps(), step, failed, done)
+        job = Job(
+            task.steps(), step, failed, done, title=self._title(task),
+            share=lambda: self._entry(key)[1] if task.takes_steps else None, on_cancel=give_up,
+        )  # fmt: skip
         self._running[key] = job
         self._jobs.start(job, urgent=task.kind in {"vertices", "picked"})
+
+    def _title(self, task: _Task) -> str:
+        name = next((model.name for model in self.models if model.mesh is task.mesh), "")
+        title = _NAMES[task.kind]
+        return f"{title[:1].upper()}{title[1:]} of {name}" if name else title
 
     def _tell(self, *, whole: bool, grown: bool) -> None:
         """Tell of progress, but not so often that drawing it holds up the work."""

@@ -1,7 +1,7 @@
 """Progress of long work: what is there so far, and how much of it that is."""
 
-from collections.abc import Iterator
-from typing import Generic, NamedTuple, TypeVar
+from collections.abc import Generator, Iterator
+from typing import Any, Generic, NamedTuple, TypeVar
 
 T = TypeVar("T")
 
@@ -26,6 +26,19 @@ def finished(steps: Iterator[Progress[T]]) -> T:
     value: T | None = None
     for step in steps:
         value = step.value
+    if value is None:
+        raise ValueError("The work ended without a result.")
+    return value
+
+
+def part_of(
+    steps: Iterator[Progress[T]], begin: float, end: float
+) -> Generator[Progress[Any], None, T]:
+    """Carry out a part of longer work that goes from one share to another; return its result."""
+    value: T | None = None
+    for step in steps:
+        value = step.value
+        yield Progress(None, begin + (end - begin) * step.share)
     if value is None:
         raise ValueError("The work ended without a result.")
     return value

@@ -12,9 +12,9 @@ from core.mesh import TriangleMesh
 from core.mesh.matrices import laplacian_matrix, normalized_laplacian_matrix
 from core.parameters import Params, param
 from core.statistics.distributions import AxisLabels
-from core.statistics.extremes import largest_eigenvalues, smallest_eigenvalues
+from core.statistics.extremes import largest_steps, smallest_steps
 from core.statistics.kernel_polynomial import SpectralCounts, moment_steps
-from core.statistics.progress import Progress
+from core.statistics.progress import Progress, part_of
 
 MatrixName = Literal["laplacian", "normalized_laplacian"]
 
@@ -159,17 +159,16 @@ def _dense(mesh: TriangleMesh, params: SpectrumParams) -> Spectrum:
 def _approximate(mesh: TriangleMesh, params: SpectrumParams) -> Iterator[Progress[Spectrum]]:
     matrix, m = _matrix(mesh, params.matrix), len(mesh.vertices)
     normalized = params.matrix == "normalized_laplacian"
-    largest = largest_eigenvalues(matrix, params.extremes)
-    yield Progress(None, 0.2)
-    smallest = smallest_eigenvalues(mesh, matrix, params.extremes, normalized=normalized)
-    yield Progress(None, 0.4)
+    ends = params.extremes
+    largest = yield from part_of(largest_steps(matrix, ends), 0.0, 0.35)
+    tail = smallest_steps(mesh, matrix, ends, normalized=normalized)
+    smallest = yield from part_of(tail, 0.35, 0.65)
     top = 2.0 if normalized else float(largest[-1])
     probes = int(np.clip(_PROBE_ENTRIES // m, 8, 64))
-    for step in moment_steps(matrix, top, params.moments, probes, params.seed):
-        yield Progress(None, 0.4 + 0.55 * step.share)
-        if step.value is not None:
-            counts = SpectralCounts.of(step.value, top)
-            yield Progress(_joined(counts, smallest, largest, mesh, params), 1.0)
+    steps = moment_steps(matrix, top, params.moments, probes, params.seed)
+    moments = yield from part_of(steps, 0.65, 0.98)
+    counts = SpectralCounts.of(moments, top)
+    yield Progress(_joined(counts, smallest, largest, mesh, params), 1.0)
 
 
 def _joined(

@@ -1,8 +1,7 @@
 """All statistics of a mesh at once, thesis chapter 3."""
 
-from collections.abc import Generator, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TypeVar
 
 from core.mesh import TriangleMesh
 from core.statistics.connectivity import Connectivity, connectivity
@@ -14,11 +13,9 @@ from core.statistics.distributions import (
 )
 from core.statistics.errors import StatisticsError
 from core.statistics.geodesic import GeodesicDistances, GeodesicParams, geodesic_steps
-from core.statistics.progress import Progress, finished
+from core.statistics.progress import Progress, finished, part_of
 from core.statistics.spectrum import Spectrum, SpectrumParams, spectrum_steps
 from core.statistics.summary import Summary, summarise
-
-T = TypeVar("T")
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,8 +93,8 @@ def statistics_steps(
     spectra: list[Spectrum] = []
     for part, matrix in enumerate(("laplacian", "normalized_laplacian")):
         steps = spectrum_steps(mesh, wanted.model_copy(update={"matrix": matrix}))
-        spectra.append((yield from _part(steps, part)))
-    distances = yield from _part(geodesic_steps(mesh, geodesic), 2)
+        spectra.append((yield from part_of(steps, part / 3, (part + 1) / 3)))
+    distances = yield from part_of(geodesic_steps(mesh, geodesic), 2 / 3, 1.0)
     vertices = connectivity(mesh)
     yield Progress(
         MeshStatistics(
@@ -148,16 +145,3 @@ def mesh_statistics(
     (5.0, {5: 1.0}, 0.5)
     """
     return finished(statistics_steps(mesh, geodesic, spectrum))
-
-
-def _part(
-    steps: Iterator[Progress[T]], number: int
-) -> Generator[Progress[MeshStatistics], None, T]:
-    """Carry one of three parts out, and return its result."""
-    value: T | None = None
-    for step in steps:
-        value = step.value
-        yield Progress(None, (number + step.share) / 3)
-    if value is None:
-        raise StatisticsError("The work ended without a result.")
-    return value

@@ -1,0 +1,173 @@
+"""Work beside the window: turns, cancelling, closing while a step cannot be cut."""
+
+import queue
+import threading
+import time
+
+import pytest
+
+from app.session.jobs import Job, Jobs, progress_job
+from core.statistics import Progress
+
+_LONG = 30.0
+
+
+class Owner:
+    """The thread that owns the jobs, which are its own."""
+
+    def __init__(self, **options):
+        self.calls = queue.Queue()
+        self.jobs = Jobs(self.calls.put, **options)
+
+    def work_until(self, condition):
+        while not condition():
+            self.calls.get(timeout=_LONG)()
+
+
+@pytest.fixture
+def owner():
+    owner = Owner()
+    yield owner
+    owner.jobs.close()
+
+
+@pytest.fixture
+def gate():
+    """Something to wait for on the worker, opened at the end in any case."""
+    gate = threading.Event()
+    yield gate
+    gate.set()
+
+
+def test_jobs_take_turns(owner, gate):
+    seen, ended = [], []
+
+    def counting(name):
+        gate.wait(_LONG)
+        for k in range(3):
+            yield f"{name}{k}"
+
+    for name in "ab":
+        owner.jobs.start(Job(counting(name), seen.append, on_done=lambda: ended.append(1)))
+    gate.set()
+    owner.work_until(lambda: len(ended) == 2)
+    assert seen == ["a0", "b0", "a1", "b1", "a2", "b2"]
+
+
+def test_urgent_jobs_are_done_before_the_others(owner, gate):
+    seen, ended, begun = [], [], threading.Event()
+
+    def blocking():
+        begun.set()
+        gate.wait(_LONG)
+        yield "first"
+
+    def start(steps, **options):
+        owner.jobs.start(Job(steps, seen.append, on_done=lambda: ended.append(1)), **options)
+
+    start(blocking())
+    begun.wait(_LONG)
+    start(iter("xyz"))
+    start(iter("uv"), urgent=True)
+    gate.set()
+    owner.work_until(lambda: len(ended) == 3)
+    assert seen == ["first", "u", "v", "x", "y", "z"]
+
+
+def test_jobs_are_listed_while_they_run(owner):
+    job = progress_job(iter([Progress(None, 0.5), Progress("all", 1.0)]), print, title="Graph")
+    owner.jobs.start(job)
+    (state,) = owner.jobs.tasks.states()
+    assert (state.title, state.share) == ("Graph", None)
+    owner.calls.get(timeout=_LONG)()
+    assert owner.jobs.tasks.states()[0].share == 0.5
+    owner.work_until(lambda: not owner.jobs.tasks.states())
+
+
+@pytest.mark.parametrize(("late", "expected"), [(False, []), (True, ["outcome"])])
+def test_the_outcome_of_the_step_that_ends_after_cancelling(owner, gate, late, expected):
+    seen, begun, ended = [], threading.Event(), []
+
+    def steps():
+        begun.set()
+        gate.wait(_LONG)
+        yield "outcome"
+        yield "never"
+
+    job = Job(steps(), seen.append, on_done=lambda: ended.append(1), late=late)
+    owner.jobs.start(job)
+    begun.wait(_LONG)
+    owner.jobs.tasks.cancel(job)
+    assert owner.jobs.tasks.states()[0].stopping
+    gate.set()
+    owner.work_until(lambda: ended)
+    assert seen == expected
+    assert not owner.jobs.tasks.states()
+
+
+def test_errors_are_told_unless_the_job_was_cancelled(owner, gate):
+    told, ended = [], []
+
+    def failing():
+        gate.wait(_LONG)
+        raise ValueError("no")
+        yield
+
+    jobs = [Job(failing(), on_error=told.append, on_done=lambda: ended.append(1)) for _ in "ab"]
+    for job in jobs:
+        owner.jobs.start(job)
+    owner.jobs.tasks.cancel(jobs[0])
+    gate.set()
+    owner.work_until(lambda: len(ended) == 2)
+    assert len(told) == 1
+
+
+def test_closing_does_not_wait_for_a_step_that_cannot_be_cut(gate):
+    owner = Owner()
+    begun = threading.Event()
+
+    def steps():
+        begun.set()
+        gate.wait(_LONG)
+        yield "too late"
+
+    owner.jobs.start(Job(steps(), title="Decimation"))
+    begun.wait(_LONG)
+    started = time.monotonic()
+    owner.jobs.close()
+    # The step would take 30 s; the rest is room for a busy machine.
+    assert time.monotonic() - started < 10
+    assert not owner.jobs.tasks.states()
+    gate.set()
+    owner.jobs._thread.join(_LONG)
+    assert not owner.jobs._thread.is_alive()
+    assert owner.calls.empty()
+
+
+def test_closing_ends_the_thread_where_the_step_ends():
+    owner = Owner()
+
+    def steps():
+        while True:
+            yield 1
+
+    owner.jobs.start(Job(steps()))
+    owner.jobs.close()
+    owner.jobs._thread.join(_LONG)
+    assert not owner.jobs._thread.is_alive()
+
+
+def test_what_must_finish_is_finished_by_closing():
+    owner = Owner(must_finish=True)
+    written = []
+
+    def write(name):
+        time.sleep(0.05)
+        written.append(name)
+        yield True
+
+    for name in ("study", "other"):
+        owner.jobs.start(Job(write(name)))
+    owner.jobs.close()
+    assert written == ["study", "other"]
+    assert not owner.jobs._thread.is_alive()
