@@ -2,6 +2,7 @@
 
 import shutil
 import time
+from contextlib import suppress
 from pathlib import Path
 
 from platformdirs import PlatformDirs
@@ -34,5 +35,6 @@ def forget_old(folder: Path) -> None:
     """Remove what has lain in a folder for a month; what cannot be removed stays."""
     now = time.time()
     for entry in folder.glob("*"):
-        if now - entry.stat().st_mtime > _OLD_SECONDS:
-            shutil.rmtree(entry, ignore_errors=True)
+        with suppress(OSError):  # another window may be removing it
+            if now - entry.lstat().st_mtime > _OLD_SECONDS:
+                shutil.rmtree(entry, ignore_errors=True)

@@ -1,6 +1,7 @@
 """The mathematics of Burnish: meshes, noise, smoothing methods, metrics and studies."""
 
 from core.comparison import run
+from core.doctor import examine, repair
 from core.fields import FIELDS, scalar_field
 from core.io import LoadError, SaveError, load_mesh, save_mesh
 from core.mesh import MeshError, TriangleMesh
@@ -24,8 +25,10 @@ __all__ = [
     "Study",
     "TriangleMesh",
     "add_noise",
+    "examine",
     "load_mesh",
     "mesh_statistics",
+    "repair",
     "run",
     "save_mesh",
     "scalar_field",

@@ -4,9 +4,12 @@ Kernels are compiled at their first call and then kept on disk, so running every
 mesh is enough.
 """
 
+from core.doctor import REPAIRS, examine, repair
 from core.fields import critical_vertices, scalar_field
+from core.io.merging import merge_equal
 from core.mesh import TriangleMesh, primitives
 from core.mesh.geometry import shading_normals
+from core.mesh.ordering import mean_step, surface_ordering
 from core.metrics import METRICS
 from core.noise import add_noise
 from core.skeleton import (
@@ -34,6 +37,7 @@ def warm_up() -> None:
     shading_normals(noisy.vertices, noisy.faces)
     _warm_up_skeleton(noisy)
     connectivity(noisy)
+    _warm_up_doctor(noisy)
 
 
 def _warm_up_skeleton(mesh: TriangleMesh) -> None:
@@ -49,9 +53,22 @@ def _warm_up_skeleton(mesh: TriangleMesh) -> None:
     loop_checks(mesh, graph, component_surfaces(mesh))
 
 
+def _warm_up_doctor(mesh: TriangleMesh) -> None:
+    """Examine and repair a mesh with a hole."""
+    open_mesh = TriangleMesh(mesh.vertices, mesh.faces[1:])
+    examine(open_mesh)
+    for id_ in REPAIRS:
+        repair(open_mesh, id_)
+
+
 def _touch_topology(mesh: TriangleMesh) -> None:
     topology = mesh.topology
     _ = topology.face_ring, topology.genus, topology.boundary_vertices
+    mean_step(mesh.faces)
+    _ = surface_ordering(mesh.faces, *topology.vertex_faces).renumbered(mesh.faces)
+    turned = TriangleMesh(mesh.vertices, [mesh.faces[0][::-1], *mesh.faces[1:]])
+    _ = turned.topology.is_orientable
+    merge_equal(mesh.vertices)
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 import json
 from pathlib import Path
 
+from app.export.drawing_check import check_drawing
 from app.export.montage import Source, montage_figure, save_montage
 from app.export.montage_plan import Cell, Montage
 from app.export.outcomes import study_outcomes
@@ -14,6 +15,7 @@ from app.scene.comparison import study_look, study_panes
 from core.comparison import StudyResult
 from core.io import SaveError, save_mesh
 from core.study_files import write_study_file
+from core.whole_files import write_atomically
 
 _PICTURE_SIZE = (1920, 1080)
 _TEXT_SCALE = 1.5
@@ -27,6 +29,8 @@ def write_comparison(result: StudyResult, folder: Path) -> None:
     ------
     SaveError
         If the folder or a file in it cannot be written.
+    PictureError
+        If there is no OpenGL for the pictures; all else is written then.
     """
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -46,7 +50,7 @@ def _write_numbers(result: StudyResult, folder: Path) -> None:
         "result.json": json.dumps(comparison_json(result), indent=1),
     }
     for name, text in texts.items():
-        (folder / name).write_text(text, encoding="utf-8")
+        write_atomically(folder / name, text.encode())
     write_study_file(result.study, folder / "study.burnish")
 
 
@@ -62,6 +66,7 @@ def _write_pictures(result: StudyResult, folder: Path) -> None:
     curves = error_curves(study_outcomes(result), metric.id)
     for suffix in ("svg", "png"):
         save_error_plot(folder / f"errors.{suffix}", curves, noisy, metric, log=True)
+    check_drawing()
     panes = study_panes(result)
     look = study_look(result, panes, _TEXT_SCALE)
     save_picture(grid_picture(panes, look, None, _PICTURE_SIZE), folder / "panes.png")

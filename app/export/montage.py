@@ -4,7 +4,7 @@ import io
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import matplotlib as mpl
 import numpy as np
@@ -18,6 +18,7 @@ from app.export.montage_plan import (
     GAP,
     INCH,
     MARGIN,
+    Entry,
     Ground,
     Layout,
     Montage,
@@ -28,9 +29,10 @@ from app.scene.camera import CameraPose
 from app.scene.colours import LIGHT, Theme
 from app.scene.grid import GRID_SHAPE, PaneGrid
 from app.scene.panes import Look, Pane
+from core.whole_files import write_atomically
 
 SUFFIXES = (".png", ".pdf", ".tiff")
-_SCREEN_DPI = 96.0
+SCREEN_DPI = 96.0
 _WHITE = replace(LIGHT, ground="#ffffff", ground_top="#ffffff", panel="#ffffff", ink="#000000")
 
 
@@ -55,9 +57,56 @@ class Source:
     poses: dict[str, CameraPose] | None = None
     aspect: float = 1.0
 
+    def entries(self) -> tuple[Entry, ...]:
+        """Return what a figure can show."""
+        return tuple(Entry(pane.id, pane.title) for pane in self.panes)
+
+    def pictures(
+        self, look: Look, chosen: Sequence[str], size: tuple[int, int], dpi: float,
+        *, transparent: bool,
+    ) -> list[Picture]:  # fmt: skip
+        """Draw panes, each alone and without its text, into pictures of one size."""
+        prefer_headless_graphics()
+        panes = {pane.id: pane for pane in self.panes}
+        plotter = pv.Plotter(
+            shape=GRID_SHAPE, border=False, off_screen=True, window_size=list(size)
+        )
+        try:
+            grid = PaneGrid(plotter)
+            look = replace(look, text_scale=dpi / SCREEN_DPI)
+            return [
+                _cell_picture(grid, panes[id_], look, self, size, transparent=transparent)
+                for id_ in chosen
+            ]
+        finally:
+            plotter.close()
+
+
+class PictureSource(Protocol):
+    """What a montage takes its pictures from, on whichever tab they are.
+
+    Attributes
+    ----------
+    look : Look
+        Colours, and the colour bar that all pictures share.
+    """
+
+    @property
+    def look(self) -> Look:
+        """Return the colours, and the colour bar that all pictures share."""
+
+    def entries(self) -> tuple[Entry, ...]:
+        """Return what a figure can show."""
+
+    def pictures(
+        self, look: Look, chosen: Sequence[str], size: tuple[int, int], dpi: float,
+        *, transparent: bool,
+    ) -> list[Picture]:  # fmt: skip
+        """Draw some of the entries in a look, each into a picture of `size` pixels."""
+
 
 def montage_figure(
-    montage: Montage, source: Source, draw: Callable[..., list[Picture]] | None = None
+    montage: Montage, source: PictureSource, draw: Callable[..., list[Picture]] | None = None
 ) -> Figure:
     """Compose a montage; what is shown on the screen and what is saved both come from here.
 
@@ -65,10 +114,10 @@ def montage_figure(
     ----------
     montage : Montage
         What to show.
-    source : Source
-        The panes.
+    source : PictureSource
+        Where the pictures come from.
     draw : callable, optional
-        Used in place of :func:`cell_pictures`, to keep pictures between calls.
+        Used in place of the source's own `pictures`, to keep them between calls.
     """
     look = grounded(source.look, montage.ground)
     with_bar = montage.bar and bool(look.colour_title)
@@ -76,8 +125,8 @@ def montage_figure(
     dots = montage.dpi / INCH
     size = (max(round(layout.cell_width * dots), 1), max(round(layout.cell_height * dots), 1))
     chosen = [cell.pane for cell in montage.cells]
-    drawn = (draw or cell_pictures)(
-        source, look, chosen, size, montage.dpi, transparent=montage.ground == "transparent"
+    drawn = (draw or source.pictures)(
+        look, chosen, size, montage.dpi, transparent=montage.ground == "transparent"
     )
     inches = [
         _whole_pixels(length * dots) / montage.dpi for length in (layout.width, layout.height)
@@ -100,25 +149,6 @@ def grounded(look: Look, ground: Ground) -> Look:
     """Return a look for a figure: no frames, no bar, dark ink unless the theme is wanted."""
     theme = replace(look.theme, ground_top=look.theme.ground) if ground == "theme" else _WHITE
     return replace(look, theme=theme, bar=False, framed=False, selected=None)
-
-
-def cell_pictures(
-    source: Source, look: Look, chosen: Sequence[str], size: tuple[int, int], dpi: float,
-    *, transparent: bool,
-) -> list[Picture]:  # fmt: skip
-    """Draw panes, each alone and without its text, into pictures of one size."""
-    prefer_headless_graphics()
-    panes = {pane.id: pane for pane in source.panes}
-    plotter = pv.Plotter(shape=GRID_SHAPE, border=False, off_screen=True, window_size=list(size))
-    try:
-        grid = PaneGrid(plotter)
-        look = replace(look, text_scale=dpi / _SCREEN_DPI)
-        return [
-            _cell_picture(grid, panes[id_], look, source, size, transparent=transparent)
-            for id_ in chosen
-        ]
-    finally:
-        plotter.close()
 
 
 def montage_pixels(figure: Figure) -> Picture:
@@ -148,7 +178,7 @@ def save_montage(figure: Figure, path: Path) -> None:
     with mpl.rc_context({"pdf.fonttype": 42}):
         figure.savefig(buffer, format=suffix[1:], dpi=figure.dpi, metadata=metadata, **extra)
     try:
-        path.write_bytes(buffer.getvalue())
+        write_atomically(path, buffer.getvalue())
     except OSError as error:
         reason = error.strerror or type(error).__name__
         raise PictureError(f"{path} cannot be written: {reason}.") from error
@@ -197,7 +227,7 @@ def _place_picture(
     middle = (left + wide / 2) / layout.width
     below = (bottom - 0.35 * montage.line) / layout.height
     figure.text(
-        middle, below, montage.caption(place), ha="center", va="top",
+        middle, below, "\n".join(montage.caption_lines(place, wide)), ha="center", va="top",
         size=montage.font_size, color=theme.ink,
     )  # fmt: skip
 

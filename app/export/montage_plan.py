@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from app.export.pictures import PictureError
+from app.export.wrapping import wrapped
 
 Ground = Literal["white", "transparent", "theme"]
 
@@ -11,8 +12,19 @@ MARGIN = 0.1
 GAP = 0.15
 BAR_WIDTH = 0.3
 INCH = 2.54
-_CAPTION_LINES = 1.7
+_CAPTION_HEIGHT = 1.7
+_NEXT_LINE = 1.4
 _BAR_TEXT = 4.2
+_TOO_SMALL = "The figure is too small for its panes; make it larger."
+
+
+@dataclass(frozen=True)
+class Entry:
+    """What a figure can show: its id, its title, and whether it is chosen to begin with."""
+
+    id: str
+    title: str
+    chosen: bool = True
 
 
 @dataclass(frozen=True)
@@ -75,6 +87,10 @@ class Montage:
         letter = chr(ord("a") + place % 26)
         return f"({letter * (place // 26 + 1)}) {text}".rstrip()
 
+    def caption_lines(self, place: int, width: float) -> list[str]:
+        """Return a caption in lines that fit below a picture `width` centimetres wide."""
+        return wrapped(self.caption(place), width, self.font_size)
+
 
 @dataclass(frozen=True)
 class Layout:
@@ -110,11 +126,15 @@ def montage_layout(montage: Montage, *, with_bar: bool) -> Layout:
     line = montage.line
     bar = BAR_WIDTH + GAP + _BAR_TEXT * line if with_bar else 0.0
     room = montage.width - 2 * MARGIN - bar - (montage.columns - 1) * GAP
-    wide, text = room / montage.columns, _CAPTION_LINES * line
+    wide = room / montage.columns
+    if wide < line:
+        raise PictureError(_TOO_SMALL)
+    lines = max(len(montage.caption_lines(i, wide)) for i in range(len(montage.cells)))
+    text = (_CAPTION_HEIGHT + (lines - 1) * _NEXT_LINE) * line
     rest = montage.height - 2 * MARGIN - (montage.rows - 1) * GAP
     high = rest / montage.rows - text if montage.height else wide
-    if min(wide, high) < line:
-        raise PictureError("The figure is too small for its panes; make it larger.")
+    if high < line:
+        raise PictureError(_TOO_SMALL)
     step = high + text + GAP
     height = montage.height or montage.rows * step - GAP + 2 * MARGIN
     return Layout(montage.width, height, wide, high, step, montage.width - bar - MARGIN)

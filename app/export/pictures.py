@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from app.scene.camera import CameraPose
 from app.scene.grid import GRID_SHAPE, PaneGrid
 from app.scene.panes import Look, Pane
+from core.whole_files import whole_file
 
 Picture = NDArray[np.uint8]
 
@@ -100,7 +101,8 @@ def save_picture(picture: Picture, path: Path) -> None:
         If the file cannot be written.
     """
     try:
-        imsave(path, np.ascontiguousarray(picture), format="png")
+        with whole_file(path) as stream:
+            imsave(stream, np.ascontiguousarray(picture), format="png")
     except OSError as error:
         reason = error.strerror or type(error).__name__
         raise PictureError(f"{path} cannot be written: {reason}.") from error

@@ -14,6 +14,7 @@ from app.export.outcomes import Outcome
 from app.scene.colours import LIGHT, Theme
 from core.io import SaveError
 from core.metrics import MetricSpec
+from core.whole_files import whole_file
 
 PLOT_SUFFIXES = (".png", ".svg", ".pdf")
 
@@ -92,5 +93,8 @@ def save_error_plot(
     draw_errors(axes, curves, noisy_value, metric, theme, log=log, selected=selected)
     # No date and no random ids: the same study gives the same file.
     metadata = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}.get(suffix)
-    with mpl.rc_context({"svg.fonttype": "none", "svg.hashsalt": "burnish", "pdf.fonttype": 42}):
-        figure.savefig(file, dpi=dpi, metadata=metadata)
+    with (
+        mpl.rc_context({"svg.fonttype": "none", "svg.hashsalt": "burnish", "pdf.fonttype": 42}),
+        whole_file(file) as stream,
+    ):
+        figure.savefig(stream, format=suffix[1:], dpi=dpi, metadata=metadata)

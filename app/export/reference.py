@@ -1,10 +1,11 @@
-"""The reference page of methods, metrics, fields and statistics, made from their declarations."""
+"""The reference page of methods, metrics, fields, statistics and repairs, as declared."""
 
 import inspect
 import re
 from collections.abc import Callable, Iterable
 from typing import Any
 
+from core.doctor import FINDINGS, REPAIRS, FindingSpec, RepairSpec, repair_for
 from core.fields import FIELDS, FieldSpec
 from core.metrics import METRICS, MetricSpec
 from core.parameters import Parameter, Params, describe
@@ -39,6 +40,11 @@ def reference_page() -> str:
     parts += ["# Metrics", *(_metric(spec) for spec in METRICS.values())]
     parts += ["# Fields", *(_field(spec) for spec in FIELDS.values())]
     parts += ["# Statistics", *(_statistic(*entry) for entry in STATISTICS.values())]
+    parts += ["# Mesh doctor", *(_repair(spec) for spec in REPAIRS.values())]
+    parts += [
+        "## What cannot be repaired",
+        *(_finding(spec) for spec in FINDINGS if not repair_for(spec)),
+    ]
     return "\n\n".join(parts) + "\n"
 
 
@@ -66,6 +72,18 @@ def _metric(spec: MetricSpec) -> str:
 
 def _field(spec: FieldSpec) -> str:
     return _entry(spec, spec.title, spec.departure, describe(spec.params))
+
+
+def _repair(spec: RepairSpec) -> str:
+    """Entry of a repair: what it does, the findings that it is for, its parameters."""
+    parts = [f"## {spec.title}", f"`{spec.id}`: {spec.summary}"]
+    parts += [_finding(finding) for finding in (*spec.removes, *spec.eases)]
+    parts += [_parameter(parameter) for parameter in describe(spec.params)]
+    return "\n\n".join(parts)
+
+
+def _finding(spec: FindingSpec) -> str:
+    return f"*{spec.title}:* {spec.meaning}"
 
 
 def _entry(

@@ -19,6 +19,7 @@ def skeleton_picture(
     size: tuple[int, int],
     *,
     transparent: bool = False,
+    share: float | None = None,
 ) -> Picture:
     """Draw panes into a picture.
 
@@ -34,18 +35,21 @@ def skeleton_picture(
         Width and height in pixels.
     transparent : bool
         Leave out the background; the picture composes correctly over any other.
+    share : float or None
+        Parts two panes, shown as one, at this share of the width.
 
     Returns
     -------
     (height, width, 3 or 4) uint8 ndarray
         RGB, or RGBA with straight alpha where `transparent`.
     """
-    with _studio(size) as grid:
+    with studio(size) as grid:
+        grid.part(share)
         grid.show(panes, look, size)
         _aim(grid, pose, size)
         if not transparent:
-            return _shot(grid, look.theme.ground, look.theme.ground_top)
-        return unmix(_shot(grid, "black", None), _shot(grid, "white", None))
+            return skeleton_shot(grid, look.theme.ground, look.theme.ground_top)
+        return unmix(skeleton_shot(grid, "black", None), skeleton_shot(grid, "white", None))
 
 
 def turn_frames(
@@ -56,12 +60,12 @@ def turn_frames(
     count: int,
 ) -> Iterator[Picture]:
     """Yield `count` pictures of one full turn about the direction that is up."""
-    with _studio(size) as grid:
+    with studio(size) as grid:
         grid.set_precise(False, coarse=False)
         grid.show(panes, look, size)
         _aim(grid, pose, size)
         for _ in range(count):
-            yield _shot(grid, look.theme.ground, look.theme.ground_top)
+            yield skeleton_shot(grid, look.theme.ground, look.theme.ground_top)
             grid.camera.Azimuth(360 / count)
 
 
@@ -73,18 +77,19 @@ def growth_frames(
 ) -> Iterator[Picture]:
     """Yield one picture for each band that the graphs grow, figure 5.4."""
     last = max(pane.skeleton.view.resolution for pane in panes if pane.skeleton)
-    with _studio(size) as grid:
+    with studio(size) as grid:
         grid.set_precise(False, coarse=False)
         for step in range(last + 1):
             grown = [replace(pane, step=step, picked=None, note="") for pane in panes]
             grid.show(grown, look, size)
             if step == 0:
                 _aim(grid, pose, size)
-            yield _shot(grid, look.theme.ground, look.theme.ground_top)
+            yield skeleton_shot(grid, look.theme.ground, look.theme.ground_top)
 
 
 @contextmanager
-def _studio(size: tuple[int, int]) -> Iterator[SkeletonGrid]:
+def studio(size: tuple[int, int]) -> Iterator[SkeletonGrid]:
+    """A grid to draw pictures of `size` pixels in."""
     prefer_headless_graphics()
     plotter = pv.Plotter(shape=SHAPE, border=False, off_screen=True, window_size=list(size))
     try:
@@ -100,7 +105,8 @@ def _aim(grid: SkeletonGrid, pose: CameraPose | None, size: tuple[int, int]) -> 
         grid.set_pose(pose)
 
 
-def _shot(grid: SkeletonGrid, bottom: str, top: str | None) -> Picture:
+def skeleton_shot(grid: SkeletonGrid, bottom: str, top: str | None) -> Picture:
+    """Picture a grid on a ground."""
     grid.set_ground(bottom, top)
     grid.fit_clipping()
     grid.plotter.render()

@@ -54,8 +54,10 @@ def write_skeleton(skeleton: Skeleton, path: Path) -> None:
     if path.suffix.lower() != PICTURE_SUFFIX:
         write_graph(skeleton.graph, path)
         return
+    from app.export.drawing_check import check_drawing
     from app.export.skeleton_pictures import skeleton_picture
 
+    check_drawing()
     pane = build_pane(skeleton, skeleton.mesh.vertices.mean(axis=0))
     look = SkeletonLook(SkeletonSettings(), text_scale=2)
     save_picture(skeleton_picture([pane], look, None, _PICTURE_SIZE), path)

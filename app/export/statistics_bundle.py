@@ -6,6 +6,7 @@ from typing import Any
 
 from matplotlib.figure import Figure, SubFigure
 
+from app.export.drawing_check import check_drawing
 from app.export.frame import FONT_SIZE
 from app.export.pictures import Picture, grid_picture
 from app.export.statistics_plots import PLOTS, save_figure, save_statistics_plot
@@ -18,6 +19,7 @@ from core.io import SaveError
 from core.mesh import TriangleMesh
 from core.mesh.matrices import MATRICES, MATRIX_SUFFIXES, save_matrix
 from core.statistics import MeshStatistics
+from core.whole_files import write_atomically
 
 _PICTURE_SIZE = (1000, 800)
 
@@ -36,13 +38,15 @@ def write_statistics(
     ------
     SaveError
         If the folder or a file in it cannot be written.
+    PictureError
+        If there is no OpenGL for the picture; all else is written then.
     """
     try:
         folder.mkdir(parents=True, exist_ok=True)
         _write_numbers(name, statistics, folder)
-        _write_plots(name, mesh, statistics, folder)
         if matrices:
             _write_matrices(mesh, folder)
+        _write_plots(name, mesh, statistics, folder)
     except OSError as error:
         reason = error.strerror or type(error).__name__
         raise SaveError(f"{folder} cannot be written: {reason}.") from error
@@ -70,17 +74,18 @@ def model_picture(mesh: TriangleMesh) -> Picture:
 
 def _write_numbers(name: str, statistics: MeshStatistics, folder: Path) -> None:
     text = json.dumps(statistics_json(name, statistics), indent=1)
-    (folder / "statistics.json").write_text(text, encoding="utf-8")
+    write_atomically(folder / "statistics.json", text.encode())
     series = [Series.of_statistics(name, statistics)]
     for plot in PLOTS:
         for table in plot_tables(plot, series):
-            (folder / f"{table.name}.csv").write_text(table.text(), encoding="utf-8")
+            write_atomically(folder / f"{table.name}.csv", table.text().encode())
 
 
 def _write_plots(name: str, mesh: TriangleMesh, statistics: MeshStatistics, folder: Path) -> None:
     series = Series.of_statistics(name, statistics)
     for spec in PLOTS.values():
         save_statistics_plot(folder / f"{spec.id}.svg", spec, [series])
+    check_drawing()
     figure = statistics_figure(name, mesh, series)
     for suffix in ("png", "pdf"):
         save_figure(folder / f"figure.{suffix}", figure)

@@ -24,6 +24,7 @@ from app.export.statistics_series import Series
 from app.scene.colours import LIGHT, Theme
 from core.io import SaveError
 from core.statistics import AxisLabels, ByDegree, GeodesicDistances, Histogram, Spectrum
+from core.whole_files import whole_file
 
 _BINS = 40
 _SMOOTH = np.array([1, 4, 6, 4, 1]) / 16
@@ -81,8 +82,11 @@ def save_figure(path: str | os.PathLike[str], figure: Figure) -> None:
         raise SaveError(f"{file.name}: plots are not written in this format; use {allowed}.")
     # No date and no random ids: the same numbers give the same file.
     metadata = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}.get(suffix)
-    with mpl.rc_context({"svg.fonttype": "none", "svg.hashsalt": "burnish", "pdf.fonttype": 42}):
-        figure.savefig(file, dpi=200, metadata=metadata)
+    with (
+        mpl.rc_context({"svg.fonttype": "none", "svg.hashsalt": "burnish", "pdf.fonttype": 42}),
+        whole_file(file) as stream,
+    ):
+        figure.savefig(stream, format=suffix[1:], dpi=200, metadata=metadata)
 
 
 def _draw_spectrum(figure: FigureBase, series: Sequence[Series], theme: Theme) -> Axes:

@@ -15,6 +15,24 @@ def plot_words(plot: str, series: Sequence[Series]) -> str:
     return _WORDS[plot](series) if series else ""
 
 
+def vertex_words(series: Series, vertex: int, distances: FloatArray | None) -> str:
+    """Say what is known of one vertex of a model.
+
+    `distances` are those from the picked vertex, in ℓ̄.
+    """
+    known = series.connectivity
+    parts = [f"vertex {vertex:,}", f"degree {known.degrees[vertex]}"]
+    for name, values in (
+        ("K_nn", known.neighbour_degrees), ("clustering", known.clustering),
+    ):  # fmt: skip
+        if np.isfinite(values[vertex]):
+            parts.append(f"{name} {values[vertex]:.4g}")
+    if distances is not None:
+        far = distances[vertex]
+        parts.append(f"distance {far:.4g} ℓ̄" if np.isfinite(far) else "not connected")
+    return f"{series.name}: {', '.join(parts)}"
+
+
 def _spectrum(series: Sequence[Series]) -> str:
     known = [one.spectrum for one in series if one.spectrum]
     if not known:

@@ -12,6 +12,7 @@ from app.export.outcomes import Outcome, study_outcomes
 from core.comparison import StudyResult
 from core.io import SaveError
 from core.metrics import METRICS, MetricSpec
+from core.whole_files import write_atomically
 
 NOISY_TITLE = "Noisy input"
 WORSE = "worse than the noisy input"
@@ -216,7 +217,7 @@ def save_table(path: str | os.PathLike[str], rows: Sequence[ResultRow]) -> None:
     if file.suffix.lower() not in _FORMATS:
         allowed = " ".join(_FORMATS)
         raise SaveError(f"{file.name}: tables are not written in this format; use {allowed}.")
-    file.write_text(_FORMATS[file.suffix.lower()](rows), encoding="utf-8")
+    write_atomically(file, _FORMATS[file.suffix.lower()](rows).encode())
 
 
 def _is_text() -> list[bool]:

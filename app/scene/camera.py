@@ -75,5 +75,6 @@ def point_on_focal_plane(camera: vtkCamera, x: float, y: float, aspect: float) -
     right /= np.linalg.norm(right)
     true_up = np.cross(right, forward / distance)
     half = distance * np.tan(np.radians(camera.GetViewAngle() / 2))
+    x += camera.GetWindowCenter()[0]
     result: FloatArray = focal + half * (x * aspect * right + y * true_up)
     return result

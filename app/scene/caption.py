@@ -74,8 +74,13 @@ class Caption:
 
 def fitting(text: str, size: float, room: float, *, bold: bool = False) -> int:
     """Size of the letters at which a text fits into a width; never less than two thirds."""
-    wide = _measure(bold).getlength(text) / _MEASURED_SIZE * size
+    wide = text_width(text, size, bold=bold)
     return int(size * min(1.0, max(room / max(wide, 1e-9), _SMALLEST)))
+
+
+def text_width(text: str, size: float, *, bold: bool = False) -> float:
+    """Width of a text whose letters have a size, in the unit of that size."""
+    return float(_measure(bold).getlength(text)) / _MEASURED_SIZE * size
 
 
 @cache

@@ -9,6 +9,8 @@ _PALETTE = ("#1a80c4", "#e69f00", "#009e73", "#cc79a7", "#d55e00", "#56b4e9", "#
 
 ORIGINAL_COLOUR = "#7f8c99"
 NOISY_COLOUR = "#7f7f7f"
+MARK_COLOUR = "#e0341f"
+"""Places that are pointed out."""
 
 
 def method_colour(method: str) -> str:

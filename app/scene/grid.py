@@ -10,6 +10,7 @@ from app.scene.camera import CameraPose, preset_pose
 from app.scene.caption import Caption
 from app.scene.colour_bar import ColourBar
 from app.scene.layout import Viewport, tile
+from app.scene.marks import Marks
 from app.scene.panes import Look, Pane
 from app.scene.surface import SurfaceActor, cell_array, lookup_table
 from app.scene.swipe import Swipe, SwipeLayer
@@ -41,6 +42,7 @@ class PaneGrid:
         self._bar_renderer = list(plotter.renderers)[CAPACITY]
         self._surfaces = [SurfaceActor() for _ in self._renderers]
         self._captions = [Caption() for _ in self._renderers]
+        self._marks = [Marks() for _ in self._renderers]
         self._borders = {renderer: renderer.add_border() for renderer in self._renderers}
         self._swiped = SwipeLayer()
         self._bar = ColourBar()
@@ -53,6 +55,8 @@ class PaneGrid:
         for renderer, surface, caption in self._slots():
             renderer.AddActor(surface.actor)
             caption.add_to(renderer)
+        for renderer, marks in zip(self._renderers, self._marks, strict=True):
+            renderer.AddActor(marks.actor)
         self._share_camera(pv.Camera())
 
     def show(self, panes: Sequence[Pane], look: Look, size: tuple[int, int]) -> None:
@@ -68,6 +72,8 @@ class PaneGrid:
                 width, height = self.viewports[pane.id].pixels(*size)[2:]
                 caption.show(pane, look, height, width=width / (1 + bool(self.swipe)))
                 self._frame(renderer, look, selected=pane.id == look.selected)
+        for marks, pane in zip(self._marks, self._panes, strict=False):
+            marks.show(pane, look)
         self._show_swipe(look, cells, table, size)
 
     def set_ground(self, bottom: str, top: str | None) -> None:

@@ -69,6 +69,8 @@ class Look:
         Pane with a frame.
     text_scale : float
         Size of the captions; 1 on a plain screen.
+    marks : (k,) int64 ndarray or None
+        Vertices that are pointed out with dots.
     """
 
     faces: IntArray
@@ -84,6 +86,7 @@ class Look:
     framed: bool = True
     selected: str | None = None
     text_scale: float = 1.0
+    marks: NDArray[np.int64] | None = None
 
 
 def shared_range(panes: list[Pane]) -> tuple[float, float]:

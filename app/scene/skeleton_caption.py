@@ -2,7 +2,7 @@
 
 import pyvista as pv
 
-from app.scene.caption import text_line
+from app.scene.caption import fitting, text_line
 from app.scene.skeleton_panes import SkeletonLook, SkeletonPane
 
 _WARNING = {True: "#ff8a7a", False: "#b3261e"}
@@ -25,16 +25,19 @@ class SkeletonCaption:
         for line in self._lines:
             renderer.AddViewProp(line)
 
-    def show(self, pane: SkeletonPane, look: SkeletonLook, height: float) -> None:
-        """Write a pane's text; `height` is the height of its viewport in pixels."""
-        top = height - _MARGIN * look.text_scale
+    def show(self, pane: SkeletonPane, look: SkeletonLook, size: tuple[float, float]) -> None:
+        """Write a pane's text, smaller where it is wider than its viewport of `size` pixels."""
+        top = size[1] - _MARGIN * look.text_scale
+        room = size[0] - 2 * _MARGIN * look.text_scale
         texts = (pane.title, pane.caption, pane.note)
         warning = _WARNING[look.theme.dark]
         colours = (look.theme.ink, look.theme.ink if pane.skeleton else warning, look.theme.ink)
-        for line, size, text, colour in zip(self._lines, _SIZES, texts, colours, strict=True):
+        for line, height, text, colour in zip(self._lines, _SIZES, texts, colours, strict=True):
             line.input = text
             line.SetPosition(_MARGIN * look.text_scale, top)
-            line.prop.SetFontSize(int(size * look.text_scale))
+            longest = max(text.split("\n"), key=len)
+            bold = line is self._lines[0]
+            line.prop.SetFontSize(fitting(longest, height * look.text_scale, room, bold=bold))
             line.prop.SetColor(pv.Color(colour).float_rgb)
             line.prop.SetLineSpacing(1.25)
-            top -= (size + _GAP) * look.text_scale
+            top -= (height + _GAP) * look.text_scale

@@ -15,7 +15,7 @@ Colours = NDArray[np.uint8]
 KIND_COLOURS = {"end": "#e69f00", "branch": "#d0342c", "regular": "#1a80c4"}
 """Colour of a node by its kind."""
 
-_COLOUR_MAP = "viridis"
+BAND_MAP = "viridis"
 _LOWEST, _HIGHEST = 0.04, 0.98
 _EVERY_OTHER = 0.84
 _TEXELS = 2048
@@ -24,7 +24,7 @@ _TEXELS = 2048
 def band_colours(resolution: int) -> Colours:
     """Colours of the bands from the lowest up, (R, 3); neighbours differ in lightness as well."""
     shares = np.linspace(_LOWEST, _HIGHEST, max(resolution, 2))[:resolution]
-    colours = np.asarray(colormaps[_COLOUR_MAP](shares))[:, :3]
+    colours = np.asarray(colormaps[BAND_MAP](shares))[:, :3]
     colours[1::2] *= _EVERY_OTHER
     return _bytes(colours)
 

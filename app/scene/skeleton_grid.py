@@ -9,6 +9,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from app.scene.camera import CameraPose
 from app.scene.layout import Viewport
+from app.scene.parted_camera import PartedCamera, parted
 from app.scene.skeleton_camera import fitting_pose
 from app.scene.skeleton_caption import SkeletonCaption
 from app.scene.skeleton_graph import GraphActors, node_radius
@@ -49,16 +50,19 @@ class _Slot:
         renderer.SetMaximumNumberOfPeels(_PEELS)
         renderer.SetOcclusionRatio(0.0)
 
-    def show(self, pane: SkeletonPane, look: SkeletonLook, size: tuple[float, float]) -> bool:
+    def show(
+        self, pane: SkeletonPane, look: SkeletonLook, size: tuple[float, float], *, legend: bool
+    ) -> bool:
         """Draw a pane in a viewport of `size` pixels; tell whether anything is new."""
-        state = (pane.skeleton, pane.step, pane.picked, pane.title, pane.caption, look, size)
+        drawn = (pane.skeleton, pane.step, pane.picked, pane.title, pane.caption)
+        state = (*drawn, look, size, legend)
         if state == self._state:
             return False
         self._state = state
         for part in (self.surface, self.curves, self.piece, self.shells, self.graph):
             part.show(pane, look)
-        self.caption.show(pane, look, size[1])
-        self.legend.show(pane, look, self.surface.table)
+        self.caption.show(pane, look, size)
+        self.legend.show(pane if legend else None, look, self.surface.table)
         self.legend.place(*size, look.text_scale)
         colour = look.theme.accent if look.selected else look.theme.faint
         self._frame.SetVisibility(look.selected is not None)
@@ -104,30 +108,51 @@ class SkeletonGrid:
         window.SetAlphaBitPlanes(True)
         window.SetNumberOfLayers(2)
         self.set_precise(True)
-        self.camera = pv.Camera()
+        self._camera = PartedCamera()
         for slot in self._slots:
             window.AddRenderer(slot.overlay)
-            slot.use(self.camera)
+        self._share_camera()
 
     def show(
         self, panes: Sequence[SkeletonPane], look: SkeletonLook, size: tuple[int, int]
     ) -> list[bool]:
         """Draw one or two panes side by side in a window of `size` pixels."""
         self._panes, self._look = list(panes), look
-        self.viewports = [
-            Viewport(i / len(panes), 0.0, (i + 1) / len(panes), 1.0) for i in range(len(panes))
-        ]
+        if len(panes) < len(self._slots):
+            self.part(None)
+        self.viewports = self._places(len(panes))
         spare = [_NOWHERE] * (len(self._slots) - len(panes))
         for slot, viewport in zip(self._slots, [*self.viewports, *spare], strict=True):
             slot.place(viewport)
-        part = (size[0] / len(panes), float(size[1]))
         new = []
         for index, pane in enumerate(self._panes):
             marked = index == look.selected and len(panes) > 1
             mark = look if look.selected is None else replace(look, selected=int(marked))
-            new.append(self._slots[index].show(pane, mark, part))
+            part = self.viewports[index].pixels(*size)[2:]
+            # Two parts of one picture have one legend, away from the line between them.
+            legend = look.legend and (self.share is None or index == 1)
+            new.append(self._slots[index].show(pane, mark, part, legend=legend))
         self.set_precise(self.precise, coarse=self._coarse)
         return new
+
+    def part(self, share: float | None) -> None:
+        """Show both panes as one, parted by a line at a share of the width; None as two."""
+        self._camera.part(share)
+        self._share_camera()
+
+    @property
+    def share(self) -> float | None:
+        """Place of the line that parts the panes, or None."""
+        return self._camera.share
+
+    @property
+    def camera(self) -> pv.Camera:
+        """The camera, of the left pane where they are parted by a line."""
+        return self._camera.shown[0]
+
+    def renderer(self, pane: int) -> pv.Renderer:
+        """Return the renderer of a pane's surface."""
+        return self._slots[pane].renderer
 
     def draw_only(self, panes: Sequence[bool] | None) -> None:
         """Leave the pixels of other panes as they are in the next drawing; None draws all."""
@@ -155,11 +180,11 @@ class SkeletonGrid:
     @property
     def pose(self) -> CameraPose:
         """Where the camera stands."""
-        return CameraPose.of(self.camera)
+        return self._camera.pose
 
     def set_pose(self, pose: CameraPose) -> None:
         """Put the camera into a pose."""
-        pose.apply(self.camera)
+        self._camera.set_pose(pose)
         self.fit_clipping()
 
     def look_from(self, preset: str, size: tuple[int, int]) -> None:
@@ -168,11 +193,13 @@ class SkeletonGrid:
             pane.skeleton.mesh.vertices - pane.centre for pane in self._panes if pane.skeleton
         ]
         if points:
-            aspect = size[0] / max(len(self._panes), 1) / max(size[1], 1)
+            views = 1 if self.share is not None else len(self._panes)
+            aspect = size[0] / views / max(size[1], 1)
             self.set_pose(fitting_pose(preset, np.vstack(points), aspect))
 
     def fit_clipping(self) -> None:
         """Set the clipping range from all that is shown, since the camera is shared."""
+        self._camera.follow()
         bounds = [
             slot.renderer.ComputeVisiblePropBounds()
             for slot, _ in zip(self._slots, self._panes, strict=False)
@@ -205,6 +232,15 @@ class SkeletonGrid:
             else None
         )
 
+    def _share_camera(self) -> None:
+        for slot, camera in zip(self._slots, self._camera.shown, strict=True):
+            slot.use(camera)
+
+    def _places(self, count: int) -> list[Viewport]:
+        if self.share is not None:
+            return parted(self.share)
+        return [Viewport(i / count, 0.0, (i + 1) / count, 1.0) for i in range(count)]
+
     def _project(
         self, pane: int, size: tuple[int, int]
     ) -> tuple[FloatArray, FloatArray, FloatArray]:
@@ -212,11 +248,12 @@ class SkeletonGrid:
         shown, port = self._panes[pane], self.viewports[pane]
         assert shown.skeleton is not None
         _, _, width, height = port.pixels(*size)
-        matrix = self.camera.GetCompositeProjectionTransformMatrix(width / height, -1, 1)
+        camera = self._camera.shown[pane]
+        matrix = camera.GetCompositeProjectionTransformMatrix(width / height, -1, 1)
         rows = np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
         points = shown.skeleton.graph.nodes - shown.centre
         clip = np.column_stack([points, np.ones(len(points))]) @ rows.T
         share = clip[:, :2] / clip[:, 3:] / 2 + 0.5
         places = share * (width, height) + (port.left * size[0], port.bottom * size[1])
-        scale = height / 2 / np.tan(np.radians(self.camera.GetViewAngle() / 2)) / clip[:, 3]
+        scale = height / 2 / np.tan(np.radians(camera.GetViewAngle() / 2)) / clip[:, 3]
         return places, clip[:, 3], scale

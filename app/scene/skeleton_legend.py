@@ -30,10 +30,10 @@ class BandLegend:
         """Put the legend into a renderer."""
         renderer.AddViewProp(self._bar)
 
-    def show(self, pane: SkeletonPane, look: SkeletonLook, table: pv.LookupTable) -> None:
-        """Draw the scale of a pane."""
+    def show(self, pane: SkeletonPane | None, look: SkeletonLook, table: pv.LookupTable) -> None:
+        """Draw the scale of a pane; None draws none."""
         coloured = look.settings.show_bands or look.settings.node_colour == "band"
-        self._bar.SetVisibility(pane.skeleton is not None and coloured)
+        self._bar.SetVisibility(pane is not None and pane.skeleton is not None and coloured)
         self._bar.SetLookupTable(table)
         label = self._bar.GetLabelTextProperty()
         label.SetColor(pv.Color(look.theme.ink).float_rgb)

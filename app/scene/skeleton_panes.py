@@ -55,12 +55,15 @@ class SkeletonLook:
         Size of text and lines; 1 on a plain screen.
     selected : int or None
         Pane with a heavy frame; None leaves out all frames.
+    legend : bool
+        Whether each pane has the scale of its bands.
     """
 
     settings: SkeletonSettings
     theme: Theme = LIGHT
     text_scale: float = 1.0
     selected: int | None = None
+    legend: bool = True
 
 
 def build_pane(

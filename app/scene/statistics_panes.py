@@ -7,7 +7,8 @@ import numpy as np
 
 from app.scene.colours import Theme
 from app.scene.panes import Look, Pane, Points
-from app.scene.statistics_scene import ModelPane, unit_points
+from app.scene.statistics_scene import ModelPane
+from app.scene.unit_ball import UnitFrame, unit_points
 from core.arrays import FloatArray
 from core.mesh import TriangleMesh
 
@@ -36,7 +37,7 @@ class PaneMaker:
     """Makes panes, and keeps the scaled points of meshes that did not change."""
 
     def __init__(self) -> None:
-        self._points: dict[int, tuple[TriangleMesh, Points]] = {}
+        self._points: dict[int, tuple[TriangleMesh, Points, UnitFrame]] = {}
 
     def panes(self, models: Sequence[ShownModel]) -> list[ModelPane]:
         """Return the panes of some models."""
@@ -45,11 +46,11 @@ class PaneMaker:
     def _pane(self, place: int, model: ShownModel) -> ModelPane:
         known = self._points.get(place)
         if known is None or known[0] is not model.mesh:
-            known = self._points[place] = model.mesh, unit_points(model.mesh)
+            known = self._points[place] = (model.mesh, *unit_points(model.mesh))
         caption = f"{len(model.mesh.vertices):,} vertices, {len(model.mesh.faces):,} faces"
         values = None if model.values is None else np.nan_to_num(model.values, posinf=np.nan)
         pane = Pane(str(place), model.name, caption, model.colour, known[1], values)
-        return ModelPane(pane, model.mesh.faces)
+        return ModelPane(pane, model.mesh.faces, known[2])
 
 
 def colour_look(models: Sequence[ShownModel], title: str, theme: Theme, text_scale: float) -> Look:

@@ -8,14 +8,15 @@ import pyvista as pv
 from numpy.typing import NDArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray
 
-from app.scene.camera import preset_pose
+from app.scene.camera import CameraPose, preset_pose
 from app.scene.caption import Caption
 from app.scene.colour_bar import ColourBar
 from app.scene.layout import Viewport, tile
 from app.scene.panes import Look, Pane
+from app.scene.parted_camera import PartedCamera, parted
 from app.scene.surface import SurfaceActor, cell_array, lookup_table
+from app.scene.unit_ball import UnitFrame
 from core.arrays import BoolArray, FloatArray, IntArray
-from core.mesh import TriangleMesh
 
 CAPACITY = 2
 SCENE_SHAPE = (1, 3)
@@ -37,19 +38,13 @@ class ModelPane:
         Title, points scaled to the unit ball, and the values that colour it.
     faces : (n, 3) int32 ndarray
         Its faces.
+    frame : UnitFrame
+        How its points were scaled.
     """
 
     pane: Pane
     faces: IntArray
-
-
-def unit_points(mesh: TriangleMesh) -> NDArray[np.float32]:
-    """Vertices moved and scaled into the unit ball, so that one camera serves any two models."""
-    low, high = mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)
-    centred = mesh.vertices - (low + high) / 2
-    radius = float(np.linalg.norm(centred, axis=1).max(initial=0)) or 1.0
-    points: NDArray[np.float32] = (centred / radius).astype(np.float32)
-    return points
+    frame: UnitFrame
 
 
 class StatisticsScene:
@@ -62,6 +57,7 @@ class StatisticsScene:
     """
 
     def __init__(self, plotter: pv.BasePlotter) -> None:
+        self.plotter = plotter
         *self._renderers, self._bar_renderer = plotter.renderers
         self._surfaces = [SurfaceActor() for _ in self._renderers]
         self._captions = [Caption() for _ in self._renderers]
@@ -72,13 +68,12 @@ class StatisticsScene:
         self._panes: list[ModelPane] = []
         self._narrowest = 1.0
         self.viewports: list[Viewport] = []
-        camera = pv.Camera()
+        self._camera = PartedCamera()
         for place, renderer in enumerate(self._renderers):
             renderer.AddActor(self._surfaces[place].actor)
             renderer.AddActor(self._lights[place].actor)
             self._captions[place].add_to(renderer)
-            renderer.SetActiveCamera(camera)
-            renderer.camera.is_set = True
+        self._share_camera()
         for renderer in plotter.renderers:
             renderer.SetDraw(False)
 
@@ -92,9 +87,8 @@ class StatisticsScene:
             look_here = replace(look, faces=shown.faces)
             cells = self._shared_cells(place, shown.faces)
             self._surfaces[place].show(shown.pane, look_here, cells, table)
-            self._captions[place].show(
-                shown.pane, look_here, self.viewports[place].pixels(*size)[3]
-            )
+            width, height = self.viewports[place].pixels(*size)[2:]
+            self._captions[place].show(shown.pane, look_here, height, width=width)
             self._lights[place].set_look(look)
 
     def light(self, masks: Sequence[BoolArray | None]) -> None:
@@ -109,12 +103,31 @@ class StatisticsScene:
 
     def look_from(self, preset: str) -> None:
         """Show the whole models from a preset direction."""
-        pose = preset_pose(preset, _RADIUS, self._narrowest)
-        pose.apply(self._renderers[0].GetActiveCamera())
+        self.set_pose(preset_pose(preset, _RADIUS, self._narrowest))
+
+    @property
+    def pose(self) -> CameraPose:
+        """Where the camera stands, beside models in the unit ball."""
+        return self._camera.pose
+
+    def set_pose(self, pose: CameraPose) -> None:
+        """Put the camera into a pose."""
+        self._camera.set_pose(pose)
         self.fit_clipping()
+
+    def part(self, share: float | None) -> None:
+        """Show both models as one, parted by a line at a share of the width; None as two."""
+        self._camera.part(share)
+        self._share_camera()
+
+    @property
+    def share(self) -> float | None:
+        """Place of the line that parts the models, or None."""
+        return self._camera.share
 
     def fit_clipping(self) -> None:
         """Set the clipping range from the unit ball, which holds both models."""
+        self._camera.follow()
         for renderer in self._renderers:
             renderer.ResetCameraClippingRange((-1, 1, -1, 1, -1, 1))
 
@@ -134,8 +147,16 @@ class StatisticsScene:
 
     def _arrange(self, look: Look, size: tuple[int, int]) -> None:
         width, height = max(size[0], 1), max(size[1], 1)
-        bar = min(_BAR_PIXELS * look.text_scale / width, 0.4) if look.colour_title else 0.0
+        bar = (
+            min(_BAR_PIXELS * look.text_scale / width, 0.4)
+            if look.bar and look.colour_title
+            else 0.0
+        )
+        if len(self._panes) < CAPACITY and self.share is not None:
+            self.part(None)
         self.viewports = tile(len(self._panes), width / height, 1 - bar)
+        if self.share is not None:
+            self.viewports = parted(self.share, 1 - bar)
         self._keep_fitting(width / height)
         places = [*self.viewports, *[_NOWHERE] * (CAPACITY - len(self.viewports))]
         bar_place = Viewport(1 - bar, 0.0, 1.0, 1.0) if bar else _NOWHERE
@@ -148,10 +169,17 @@ class StatisticsScene:
     def _keep_fitting(self, aspect: float) -> None:
         """Step back where the views have become narrower, closer where they are wider again."""
         sides = [aspect * (p.right - p.left) / (p.top - p.bottom) for p in self.viewports]
+        sides = [sum(sides)] if self.share is not None else sides
         narrowest = min(sides, default=1.0)
         before, after = (_distance(side) for side in (self._narrowest, narrowest))
         self._narrowest = narrowest
-        self._renderers[0].GetActiveCamera().Dolly(before / after)
+        self._camera.shown[0].Dolly(before / after)
+
+    def _share_camera(self) -> None:
+        for renderer, camera in zip(self._renderers, self._camera.shown, strict=True):
+            renderer.SetActiveCamera(camera)
+            # Else PyVista chooses a view of its own at the first picture.
+            renderer.camera.is_set = True
 
     def _shared_cells(self, place: int, faces: IntArray) -> vtkCellArray:
         known = self._cells[place]

@@ -1,13 +1,11 @@
 """Every command of the window, declared once: menus, toolbar, shortcuts and tips come from here."""
 
-from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-import qtawesome
-from PySide6.QtGui import QAction, QKeySequence
-from PySide6.QtWidgets import QMainWindow, QMenu
-
+from app.export.statistics_plots import PLOTS
 from app.scene.camera import PRESETS
+from core.io import bundled_samples
+from core.metrics import METRICS
 
 
 @dataclass(frozen=True)
@@ -32,6 +30,8 @@ class Command:
         Whether it switches something on and off.
     divided : bool
         Whether a line stands above it in the menu.
+    group : str
+        Commands of one group are choices, of which one is checked.
     """
 
     id: str
@@ -42,12 +42,29 @@ class Command:
     icon: str = ""
     checkable: bool = False
     divided: bool = False
+    group: str = ""
 
+
+TABS = ("Denoise", "Skeleton", "Statistics")
+"""Titles of the tabs."""
+
+PANELS = {
+    "Model and noise": "Denoise", "Methods": "Denoise", "Error": "Denoise", "Table": "Denoise",
+    "Views": "Skeleton", "Graph": "Skeleton",
+}  # fmt: skip
+"""Tabs of the panels that can be hidden, by title."""
+
+COLOURS = {"none": "Nothing"} | {id_: spec.heat_title for id_, spec in METRICS.items()}
+"""What can colour the panes, by id."""
+
+THEMES = {"system": "System", "light": "Light", "dark": "Dark"}
 
 COMMANDS = (
     Command("open", "File", "&Open…", "Open a model to compare the methods on, or a study",
             "Ctrl+O", "mdi6.folder-open-outline"),
     Command("open_study", "File", "Open St&udy…", "Open a study that was saved", "Ctrl+Alt+O"),
+    *(Command(f"sample_{sample.id}", "File/Open &Sample", sample.title,
+              f"Open the bundled model {sample.title}") for sample in bundled_samples()),
     Command("gallery", "File", "&Gallery…", "Bundled models, and PyVista's to download", "Ctrl+G"),
     Command("open_noisy", "File", "Separate &Noisy File…",
             "Use a noisy file of the same model instead of adding noise", "Ctrl+Shift+O"),
@@ -57,20 +74,34 @@ COMMANDS = (
             "Ctrl+Shift+S"),
     Command("save_packed", "File", "Save Study Pac&ked…",
             "Save the study with its models inside, to give it away"),
-    Command("save_mesh", "File/E&xport", "Denoised &Mesh…",
-            "Save the mesh of the selected pane as PLY, OBJ, OFF or STL", "Ctrl+M"),
+    Command("save_mesh", "File/E&xport", "&Mesh…",
+            "Save the mesh of the selected view as PLY, OBJ, OFF or STL", "Ctrl+M"),
     Command("figure", "File/E&xport", "&Figure…",
-            "Arrange panes with captions as PNG, PDF or TIFF, in centimetres", "Ctrl+Shift+F"),
+            "Arrange views with captions as PNG, PDF or TIFF, in centimetres", "Ctrl+Shift+F"),
     Command("screenshot", "File/E&xport", "&Screenshot…",
-            "Save a pane, the grid or the window as PNG", "Ctrl+P", "mdi6.camera-outline"),
-    Command("save_plot", "File/E&xport", "Error &Plot…", "Save the error plot as SVG, PDF or PNG",
+            "Save a view, all views or the window as PNG", "Ctrl+P", "mdi6.camera-outline"),
+    Command("save_plot", "File/E&xport", "&Plot…", "Save the large plot as SVG, PDF or PNG",
             "Ctrl+E", divided=True),
     Command("save_table", "File/E&xport", "&Table…", "Save the table as CSV, Markdown or LaTeX",
             "Ctrl+Shift+E"),
+    Command("save_graph", "File/E&xport", "Skeletal &Graph…",
+            "Save the graph of the selected view as GraphML, JSON, OBJ or CSV", "Ctrl+Shift+G",
+            divided=True),
+    Command("save_film", "File/E&xport", "&Animation of the Graph…",
+            "Save a full turn, or the growth of the graph, as a film", "Ctrl+Alt+F"),
+    *(Command(f"save_plot_{id_}", "File/E&xport/Statistics P&lot", f"{spec.title}…",
+              f"Save the plot as SVG, PDF or PNG: {spec.title}") for id_, spec in PLOTS.items()),
+    Command("save_matrix", "File/E&xport/Statistics P&lot", "Matrix…",
+            "Save the matrix that is shown, as a picture, Matrix Market or NPZ"),
+    Command("save_statistics", "File/E&xport", "Statistics &Bundle…",
+            "Save all plots, tables and numbers of the model into a folder", "Ctrl+Shift+B"),
     Command("quit", "File", "&Quit", "Close Burnish", "Ctrl+Q", divided=True),
     Command("undo", "Edit", "&Undo", "Take back the last step", "Ctrl+Z", "mdi6.undo"),
     Command("redo", "Edit", "&Redo", "Do the step again that was taken back", "Ctrl+Shift+Z",
             "mdi6.redo"),
+    Command("doctor", "Edit", "Mesh &Doctor…",
+            "What is wrong with the model, what that means, and repairs", "Ctrl+D",
+            divided=True),
     Command("copy_table", "Edit", "&Copy Table", "Copy the table as text", "Ctrl+Shift+C",
             divided=True),
     Command("copy_command", "Edit", "Copy as Command &Line",
@@ -83,6 +114,8 @@ COMMANDS = (
             "Ctrl+Alt+V"),
     Command("preferences", "Edit", "&Preferences…", "Memory, keys, defaults", "Ctrl+,",
             divided=True),
+    *(Command(f"tab_{place}", "View/Ta&b", f"&{title}", f"Show the {title} tab", f"Ctrl+{place}",
+              checkable=True, group="tab") for place, title in enumerate(TABS, start=1)),
     Command("smooth_shading", "View", "&Smooth Shading", "Smooth shading; off shows flat faces",
             "S", checkable=True),
     Command("edges", "View", "&Edges", "Draw the edges of the triangles", "W", checkable=True),
@@ -108,10 +141,19 @@ COMMANDS = (
             checkable=True, divided=True),
     Command("colour_bar", "View", "Colour &Bar…",
             "Range, colours, direction and histogram of the heat map", "C"),
+    *(Command(f"colour_{id_}", "View/&Colour by", title, f"Colour the panes by: {title.lower()}",
+              checkable=True, group="colour") for id_, title in COLOURS.items()),
+    *(Command(f"theme_{id_}", "View/&Theme", title, f"Colours of the window: {title.lower()}",
+              checkable=True, group="theme") for id_, title in THEMES.items()),
+    *(Command(f"panel_{title}", "View/P&anels", title, f"Show the panel {title}, or hide it",
+              checkable=True) for title in PANELS),
+    Command("reset_panels", "View/P&anels", "&Put All Back",
+            "Put all panels of the tab back where they were at the first start", divided=True),
     Command("advance", "Run", "Five &More Iterations", "Run every checked method five steps on",
             "Ctrl+R", "mdi6.play-outline"),
     Command("cancel", "Run", "&Cancel", "Stop what is being computed", "Esc",
             "mdi6.stop-circle-outline"),
+    Command("tasks", "Run", "What &Runs…", "List all that runs, with the time left", "Ctrl+J"),
     Command("palette", "Help", "&Find a Command…", "Search all commands by name and run one",
             "Ctrl+Shift+P"),
     Command("shortcuts", "Help", "&Keyboard Shortcuts", "All keys and mouse gestures", "?"),
@@ -127,75 +169,12 @@ TOOLBAR = ("open", None, "undo", "redo", None, "advance", "cancel", None, "link"
            "screenshot")  # fmt: skip
 """Commands on the toolbar, with None for a gap."""
 
-NEED_MODEL = ("save_study", "save_study_as", "save_packed", "save_mesh", "save_plot",
-              "save_table", "screenshot", "advance", "copy_command", "copy_script")  # fmt: skip
+NEED_MODEL = (
+    "doctor", "save_study", "save_study_as", "save_packed", "save_mesh", "save_plot", "save_table",
+    "copy_table", "figure", "screenshot", "advance", "copy_command", "copy_script", "flicker",
+    "swipe", "copy_camera", "paste_camera", "save_camera", "save_graph", "save_film",
+    "save_statistics", "save_matrix", "enlarge", "reset_view", "box_zoom", "fly",
+    *(f"save_plot_{id_}" for id_ in PLOTS),
+    *(f"look_{key}" for key in range(1, len(PRESETS) + 1)),
+)  # fmt: skip
 """Commands that need a model."""
-
-
-class ActionBook:
-    """The commands as Qt actions of one window.
-
-    Parameters
-    ----------
-    window : QMainWindow
-        Gets the menus and the shortcuts.
-    handlers : mapping
-        What each command does, by id; a checkable one gets its new state.
-    """
-
-    def __init__(self, window: QMainWindow, handlers: Mapping[str, Callable[..., None]]) -> None:
-        self._window = window
-        self._menus: dict[str, QMenu] = {}
-        self._actions = {
-            command.id: self._make(command, handlers[command.id]) for command in COMMANDS
-        }
-        for command in COMMANDS:
-            self.set_key(command.id, QKeySequence(command.key))
-
-    def __getitem__(self, command: str) -> QAction:
-        """Return the action of a command."""
-        return self._actions[command]
-
-    def menu(self, name: str) -> QMenu:
-        """Return a menu, made where it is not there yet; a submenu stands after a slash."""
-        if name not in self._menus:
-            above, _, own = name.rpartition("/")
-            parent = self.menu(above) if above else self._window.menuBar()
-            self._menus[name] = parent.addMenu(own if above else f"&{own}")
-        return self._menus[name]
-
-    def key(self, command: str) -> QKeySequence:
-        """Return the key of a command."""
-        return self[command].shortcut()
-
-    def set_key(self, command: str, key: QKeySequence) -> None:
-        """Give a command a key, and tell it in the tooltip."""
-        action = self[command]
-        action.setShortcut(key)
-        shown = key.toString(QKeySequence.SequenceFormat.NativeText)
-        action.setToolTip(action.statusTip() + (f" ({shown})" if shown else ""))
-
-    def set_icons(self, colour: str) -> None:
-        """Draw the icons in the colour of the text."""
-        for command in COMMANDS:
-            if command.icon:
-                self[command.id].setIcon(qtawesome.icon(command.icon, color=colour))
-
-    def _make(self, command: Command, handler: Callable[..., None]) -> QAction:
-        action = QAction(command.text, self._window, checkable=command.checkable)
-        action.setObjectName(command.id)
-        action.setStatusTip(command.tip)
-        if command.checkable:
-            action.toggled.connect(handler)
-        else:
-            action.triggered.connect(lambda *_: handler())
-        menu = self.menu(command.menu)
-        if command.divided:
-            menu.addSeparator()
-        menu.addAction(action)
-        return action
-
-
-def escaped(text: str) -> str:
-    """Return a text as a menu shows it, an ampersand as itself."""
-    return text.replace("&", "&&")

@@ -1,23 +1,27 @@
 """Starts Qt and the window."""
 
 import os
-import sys
 
 # pyvistaqt asks qtpy for a binding; say which before either is imported.
 os.environ.setdefault("QT_API", "pyside6")
 
 from PySide6.QtCore import QCoreApplication
-from PySide6.QtWidgets import QApplication
 
 from app.logs import start_logging
+from app.ui.graphics import NO_WINDOW, leave, make_application, opengl_is_missing
 
 
 def start(model: str) -> int:
-    """Open the window on a model and run until it is closed; returns the exit status."""
+    """Open the window on a model; the process ends when it is closed.
+
+    Without a display or OpenGL the exit status is returned, after one sentence on standard error.
+    """
     start_logging()
     QCoreApplication.setOrganizationName("Burnish")
     QCoreApplication.setApplicationName("Burnish")
-    application = QApplication.instance() or QApplication(sys.argv[:1])
+    application = make_application()
+    if opengl_is_missing():
+        return NO_WINDOW
     from app.ui.main_window import MainWindow
     from app.ui.restoring import offer_leftovers
 
@@ -27,6 +31,13 @@ def start(model: str) -> int:
     window.files.open(model)
     offer_leftovers(window)
     try:
-        return application.exec()
+        status = application.exec()
     finally:
         window.faults.uninstall()
+    if application.clipboard().ownsClipboard():
+        application.shutdown()  # hands over what was copied
+    # A thread may be in the middle of a step that cannot be cut, and taking apart what it uses
+    # would crash; even without, that takes seconds. Nothing is lost: what is saved was waited for
+    # when the window closed.
+    leave(status)
+    return status

@@ -13,8 +13,8 @@ from PySide6.QtCore import QLockFile, QObject
 from app.session import Session
 from app.session.documents import Document, Documents
 from app.ui.controls import Coalesced
-from core.io.saving import write_atomically
 from core.study_files import StudyFile, StudyFileError, parse_study, study_text
+from core.whole_files import write_atomically
 
 logger = logging.getLogger(__name__)
 

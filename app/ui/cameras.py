@@ -23,8 +23,7 @@ class Cameras:
 
     def look_from(self, preset: str) -> None:
         """Show the whole model from a preset direction."""
-        tab = self._window.tabs.currentWidget()
-        getattr(tab, "view", self._viewport()).look_from(preset)
+        self._window.desk.stage.look_from(preset)
 
     def copy(self) -> None:
         """Put the camera on the clipboard as text."""
@@ -79,11 +78,8 @@ class Cameras:
         view = self._window.session.study.view.without_camera(name)
         self._window.change_view("Forget camera", view)
 
-    def _viewport(self) -> Any:
-        return getattr(self._window.tabs.currentWidget(), "viewport", self._window.denoise.viewport)
-
     def _pose(self) -> CameraPose:
-        return self._viewport().pose
+        return self._window.desk.stage.pose
 
     def _place(self, pose: CameraPose) -> None:
-        self._viewport().set_pose(pose)
+        self._window.desk.stage.set_pose(pose)

@@ -1,7 +1,9 @@
 """The Denoise tab: panes in the middle, panels around them."""
 
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 from PySide6.QtCore import QByteArray, QSettings, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QWidget
@@ -9,13 +11,16 @@ from PySide6.QtWidgets import QDockWidget, QMainWindow, QWidget
 from app.scene.colours import Theme
 from app.scene.comparing import pair, swapped
 from app.scene.comparison import ComparisonScene
+from app.scene.marks import close_up
 from app.scene.panes import Look, Pane
 from app.session import Session
+from app.ui.denoise_desk import DenoiseDesk
 from app.ui.error_plot import ErrorPlot
 from app.ui.methods_panel import MethodsPanel
 from app.ui.model_panel import ModelPanel
 from app.ui.results_table import ResultsTable
 from app.ui.viewport import Viewport
+from core.mesh import TriangleMesh
 from core.smoothing import METHODS
 from core.study import Study
 
@@ -48,11 +53,13 @@ class DenoiseTab(QMainWindow):
         self._theme = theme
         self._scene = ComparisonScene(session)
         self._fresh_model = True
+        self._marks: tuple[TriangleMesh, np.ndarray] | None = None
         self._laid_out = False
         self._busy = False
         self._redraw_timer = QTimer(self, singleShot=True, interval=_REDRAW_MS)
         self._redraw_timer.timeout.connect(self._redraw)
         self._make_panels()
+        self.desk = DenoiseDesk(self, self.viewport)
         self._connect()
         self.set_theme(theme)
 
@@ -60,7 +67,24 @@ class DenoiseTab(QMainWindow):
         """Return what the viewport shows."""
         panes = self._scene.panes()
         scale = self.devicePixelRatioF()
-        return panes, self._scene.look(panes, self._theme, self.selected, scale)
+        look = self._scene.look(panes, self._theme, self.selected, scale)
+        return panes, replace(look, marks=self._marked())
+
+    def show_marks(self, vertices: np.ndarray | None) -> None:
+        """Point out vertices of the model and go close to them; None takes the dots away."""
+        meshes = self.session.meshes
+        self._marks = None
+        if vertices is not None and meshes is not None:
+            mesh = meshes.comparison.original
+            self._marks = mesh, vertices
+            self.viewport.set_pose(close_up(mesh, vertices, self.viewport.pose))
+        self._soon()
+
+    def _marked(self) -> np.ndarray | None:
+        """Vertices that are pointed out, as long as the mesh is the one that they belong to."""
+        meshes = self.session.meshes
+        known = self._marks and meshes and self._marks[0] is meshes.comparison.original
+        return self._marks[1] if known else None
 
     def set_flicker(self, on: bool) -> None:
         """Show another pane's mesh in the selected pane, or its own again."""
@@ -112,6 +136,7 @@ class DenoiseTab(QMainWindow):
     def close_graphics(self) -> None:
         """Release the graphics before the window goes."""
         self._redraw_timer.stop()
+        self.desk.gestures.stop()
         self.viewport.close_interactor()
 
     def _make_panels(self) -> None:

@@ -40,6 +40,14 @@ def ask_where_to_save(
     return _open(dialog, use)
 
 
+def ask_for_folder(parent: QWidget, title: str, use: Callable[[Path], None]) -> QFileDialog:
+    """Ask for a folder to write into and hand it on."""
+    dialog = QFileDialog(parent, title, _last_folder())
+    dialog.setFileMode(QFileDialog.FileMode.Directory)
+    dialog.setOption(QFileDialog.Option.ShowDirsOnly)
+    return _open(dialog, use)
+
+
 def tell(parent: QWidget, message: str) -> QMessageBox:
     """Show one sentence about something that could not be done."""
     box = QMessageBox(QMessageBox.Icon.Warning, "Burnish", message, parent=parent)

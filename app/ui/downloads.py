@@ -9,6 +9,8 @@ from app.ui.tasks import Poster
 
 logger = logging.getLogger(__name__)
 
+_NO_CONNECTION = ("connection", "urlerror", "gaierror")
+
 EXAMPLES = {
     "bunny": "Bunny",
     "bunny_coarse": "Coarse bunny",
@@ -77,6 +79,10 @@ def _post(poster: Poster, call: Callable[[], None]) -> None:
 
 
 def _reason(error: Exception) -> str:
-    if isinstance(error, OSError) and "connection" in type(error).__name__.lower():
+    """Why a download failed, in words; networks and the libraries above them have many names."""
+    names = " ".join(kind.__name__.lower() for kind in type(error).__mro__)
+    if "timeout" in names:
+        return "github.com did not answer in time. The bundled models need no connection."
+    if isinstance(error, OSError) and any(word in names for word in _NO_CONNECTION):
         return "there is no connection to github.com. The bundled models need none."
     return f"{' '.join(str(error).split())[:160]}."

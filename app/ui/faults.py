@@ -6,6 +6,7 @@ import sys
 import threading
 import traceback
 from collections.abc import Callable
+from contextlib import suppress
 from types import TracebackType
 
 from PySide6.QtCore import (
@@ -20,6 +21,7 @@ from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
 from app.logs import log_file
+from app.ui.graphics import NO_WINDOW, leave, say
 from app.ui.help import versions
 from app.ui.tasks import Poster
 
@@ -42,11 +44,13 @@ class FaultReports(QObject):
     ----------
     parent : QWidget
         Window that the dialog belongs to.
+    keep : callable
+        Keeps the study on disk before the process has to end.
     """
 
-    def __init__(self, parent: QWidget) -> None:
+    def __init__(self, parent: QWidget, keep: Callable[[], None] = lambda: None) -> None:
         super().__init__(parent)
-        self._window = parent
+        self._window, self._keep = parent, keep
         self._post = Poster(self)
         self._told: set[str] = set()
         self._box: QMessageBox | None = None
@@ -59,7 +63,7 @@ class FaultReports(QObject):
         threading.excepthook = lambda args: self._on_error(
             args.exc_type, args.exc_value, args.exc_traceback
         )
-        qInstallMessageHandler(log_qt_message)
+        qInstallMessageHandler(self._on_qt_message)
 
     def uninstall(self) -> None:
         """Leave errors to whoever caught them before."""
@@ -106,6 +110,15 @@ class FaultReports(QObject):
         copy.clicked.connect(lambda: QApplication.clipboard().setText(details))
         folder.clicked.connect(show_log)
         box.setDefaultButton(box.addButton(QMessageBox.StandardButton.Close))
+
+    def _on_qt_message(self, kind: QtMsgType, context: QMessageLogContext, message: str) -> None:
+        """Log a message; the loss of the display, X11's or Wayland's, is told by nothing else."""
+        log_qt_message(kind, context, message)
+        if "connection broke" in message:
+            with suppress(Exception):
+                self._keep()
+            say("The display is lost. The study is kept; the next start offers to restore it.")
+            leave(NO_WINDOW)
 
     def _forget_box(self, _: int) -> None:
         self._box = None

@@ -1,5 +1,6 @@
 """The gallery: bundled models, and PyVista's to download."""
 
+from collections.abc import Iterator
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -17,7 +18,8 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
 )
 
-from app.ui.controls import Coalesced, FaintLabel
+from app.session import Job, Task
+from app.ui.controls import FaintLabel
 from app.ui.downloads import EXAMPLES, DownloadError, download_beside
 from app.ui.tasks import Poster
 from app.ui.thumbnails import draw_thumbnail, thumbnail
@@ -31,7 +33,6 @@ _EXAMPLE = "example:"
 _PLACES = "downloaded"
 _PICTURE = QSize(112, 84)
 _CELL = QSize(132, 118)
-_PAUSE_MS = 30
 
 
 class GalleryDialog(QDialog):
@@ -59,10 +60,9 @@ class GalleryDialog(QDialog):
         self._lay_out()
         self.finished.connect(self._leave)
         items = [self.bundled.item(row) for row in range(self.bundled.count())]
-        self._undrawn = [i for i in items if _picture(i.data(Qt.ItemDataRole.UserRole)) is None]
-        # One picture at a time, so that the dialog answers meanwhile.
-        self._draw_soon = Coalesced(self._draw_next, _PAUSE_MS, self)
-        self._draw_soon.request()
+        undrawn = [i for i in items if _picture(i.data(Qt.ItemDataRole.UserRole)) is None]
+        if undrawn:
+            self._draw({item.data(Qt.ItemDataRole.UserRole): item for item in undrawn})
 
     def _list(self, entries: dict[str, str]) -> QListWidget:
         shown = QListWidget(
@@ -71,7 +71,7 @@ class GalleryDialog(QDialog):
         shown.setResizeMode(QListView.ResizeMode.Adjust)
         shown.setIconSize(_PICTURE)
         shown.setGridSize(_CELL)
-        ink = self.palette().color(QPalette.ColorRole.PlaceholderText)
+        ink = self.palette().color(QPalette.ColorRole.Mid)
         blank = qtawesome.icon("mdi6.cube-outline", color=ink)
         for model, title in entries.items():
             item = QListWidgetItem(_picture(model) or blank, title, shown)
@@ -111,26 +111,39 @@ class GalleryDialog(QDialog):
         if model.startswith(SAMPLE_PREFIX):
             self._open(model)
             return
-        self.message.setText(f"Downloading {item.text()} …")
+        title = f"Downloading {item.text()}"
+        self.message.setText(f"{title} …")
         self._set_busy(True)
-        example = model.removeprefix(_EXAMPLE)
-        done = partial(self._downloaded, model)
-        download_beside(self._poster, example, done, self._failed)
+        task = Task(title=title, on_cancel=lambda: self._cancelled(task))
+        self._window.session.tasks.begin(task)
+        done, failed = partial(self._downloaded, task, model), partial(self._failed, task)
+        download_beside(self._poster, model.removeprefix(_EXAMPLE), done, failed)
 
-    def _downloaded(self, model: str, path: str) -> None:
+    def _downloaded(self, task: Task, model: str, path: str) -> None:
         """Open a model that has come, unless the dialog was left meanwhile."""
+        self._window.session.tasks.end(task)
         QSettings().setValue(f"{_PLACES}/{model}", path)
-        if self._alive:
+        if self._alive and not task.cancelled:
             self._open(path)
         else:
             self._window.session.notified.emit(f"Downloaded to {path}.")
 
-    def _failed(self, error: DownloadError) -> None:
+    def _failed(self, task: Task, error: DownloadError) -> None:
+        self._window.session.tasks.end(task)
+        if task.cancelled:
+            return
         if self._alive:
             self._set_busy(False)
             self.message.setText(str(error))
         else:
             self._window.session.notified.emit(str(error))
+
+    def _cancelled(self, task: Task) -> None:
+        """Wait no longer: what is under way cannot be cut off, but opens nothing any more."""
+        self._window.session.tasks.end(task)
+        if self._alive:
+            self._set_busy(False)
+            self.message.setText("The download was cancelled.")
 
     def _set_busy(self, busy: bool) -> None:
         self.progress.setVisible(busy)
@@ -144,15 +157,20 @@ class GalleryDialog(QDialog):
     def _leave(self, _: int) -> None:
         self._alive = False
 
-    def _draw_next(self) -> None:
-        """Draw the next bundled model that has no picture yet."""
-        if not self._undrawn:
-            return
-        item = self._undrawn.pop()
-        model = item.data(Qt.ItemDataRole.UserRole)
-        draw_thumbnail(load_sample(model.removeprefix(SAMPLE_PREFIX)), [thumbnail(model)])
-        item.setIcon(_picture(model) or item.icon())
-        self._draw_soon.request()
+    def _draw(self, items: dict[str, QListWidgetItem]) -> None:
+        """Draw bundled models that have no pictures yet, beside the window."""
+
+        def steps() -> Iterator[str]:
+            for model in items:
+                draw_thumbnail(load_sample(model.removeprefix(SAMPLE_PREFIX)), [thumbnail(model)])
+                yield model
+
+        def show(model: str) -> None:
+            if self._alive:
+                items[model].setIcon(_picture(model) or items[model].icon())
+
+        job = Job(steps(), show, title="Small pictures of the bundled models")
+        self._window.session.jobs.start(job)
 
 
 def _picture(model: str) -> QIcon | None:

@@ -1,6 +1,5 @@
 """The main window: menus, toolbar, tabs and status bar around one session."""
 
-from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QSettings
@@ -11,34 +10,37 @@ from PySide6.QtGui import (
     QGuiApplication,
     QPalette,
 )
-from PySide6.QtWidgets import QMainWindow, QMenu, QTabWidget
+from PySide6.QtWidgets import QMainWindow, QTabWidget
 
 from app.session import Session
 from app.ui import dialogs, saving
-from app.ui.actions import NEED_MODEL, ActionBook, escaped
+from app.ui.action_book import ActionBook, escaped
+from app.ui.actions import TABS
 from app.ui.denoise_tab import DenoiseTab
+from app.ui.desk import Desk
+from app.ui.doctor_dialog import DoctorDialog
 from app.ui.empty_panel import EmptyPanel
 from app.ui.faults import FaultReports, show_log
 from app.ui.help import show_about, show_errata, show_reference
-from app.ui.menus import choice_menu, fill_toolbar
 from app.ui.preferences import open_preferences
 from app.ui.preferences_general import kept_budget
-from app.ui.skeleton_export import ask_for_picture
+from app.ui.skeleton_export import ask_for_film, ask_for_graph
 from app.ui.skeleton_tab import SkeletonTab
+from app.ui.statistics_saving import ask_for_bundle, ask_for_cell, ask_for_tables
 from app.ui.statistics_tab import StatisticsTab
 from app.ui.status import StatusBar
 from app.ui.study_files import StudyFiles, dropped_file
 from app.ui.tasks import Poster
-from app.ui.theme import current_theme, set_mode
+from app.ui.theme import current_theme
+from app.ui.theme_choice import ThemeChoice
+from app.ui.toolbar import fill_toolbar
 from app.ui.view_commands import ViewCommands
 from core.io import bundled_samples
-from core.metrics import METRICS
 from core.study import MOST_ITERATIONS, SAMPLE_PREFIX, Study
 from core.view import ViewSettings
 
 _MORE = 5
 _GEOMETRY = "window_geometry"
-_MODE = "theme_mode"
 
 
 class MainWindow(QMainWindow):
@@ -50,19 +52,26 @@ class MainWindow(QMainWindow):
         self.setAcceptDrops(True)
         self.session = Session(Poster(self))
         self.denoise = DenoiseTab(self.session, current_theme())
-        self.tabs = QTabWidget(documentMode=True)
-        self.tabs.addTab(self.denoise, "Denoise")
         self.skeleton = SkeletonTab(self.session, current_theme())
-        self.tabs.addTab(self.skeleton, "Skeleton")
         self.statistics = StatisticsTab(self.session, current_theme())
-        self.tabs.addTab(self.statistics, "Statistics")
+        self.tabs = QTabWidget(documentMode=True)
+        for tab, title in zip((self.denoise, self.skeleton, self.statistics), TABS, strict=True):
+            self.tabs.addTab(tab, title)
         self.setCentralWidget(self.tabs)
         self.files = StudyFiles(self)
-        self.faults = FaultReports(self)
+        self.faults = FaultReports(self, self.files.autosave.write)
         self.view_commands = ViewCommands(self)
+        self.theme = ThemeChoice(self, self._apply_theme)
         self.actions_ = ActionBook(self, self._handlers())
-        self._fill_menus()
-        menus = {"undo": ("Sample", self._samples), "screenshot": ("Colour by", self._colours)}
+        book = self.actions_
+        book.menu("File").insertMenu(book["gallery"], self.files.recent.menu)
+        book.menu("View/&Colour by").addSeparator()
+        book.menu("View/&Colour by").addAction(book["colour_bar"])
+        self.skeleton.centre.exports.offer(book)
+        menus = {
+            "undo": ("Sample", book.menu("File/Open &Sample")),
+            "screenshot": ("Colour by", book.menu("View/&Colour by")),
+        }
         fill_toolbar(self, self.actions_, menus)
         self.setStatusBar(StatusBar(self.session, self.actions_["cancel"]))
         self.view_commands.attach(self.actions_)
@@ -70,6 +79,16 @@ class MainWindow(QMainWindow):
         self._connect()
         self._restore()
         self._update_actions()
+
+    @property
+    def desks(self) -> tuple[Desk, ...]:
+        """The tabs as the commands see them."""
+        return self.denoise.desk, self.skeleton.desk, self.statistics.desk
+
+    @property
+    def desk(self) -> Desk:
+        """The tab that is shown as the commands see it."""
+        return self.desks[self.tabs.currentIndex()]
 
     def open_model(self, model: str) -> None:
         """Open a model by its path or, as ``sample:ID``, a bundled one."""
@@ -79,12 +98,12 @@ class MainWindow(QMainWindow):
         if not self.files.may_close():
             event.ignore()
             return
+        self.session.close()
         self.files.close()
         QSettings().setValue(_GEOMETRY, self.saveGeometry())
         self.denoise.save_layout()
         self.skeleton.save_layout()
         self.statistics.save_layout()
-        self.session.close()
         self.denoise.close_graphics()
         self.skeleton.close_graphics()
         self.statistics.close_graphics()
@@ -105,30 +124,40 @@ class MainWindow(QMainWindow):
             self._apply_theme()
 
     def _handlers(self) -> dict[str, object]:
-        viewport, session = self.denoise.viewport, self.session
+        session, statistics = self.session, self.statistics
+        samples = {
+            f"sample_{id_}": lambda id_=id_: self.open_model(SAMPLE_PREFIX + id_)
+            for id_ in (sample.id for sample in bundled_samples())
+        }
+        plots = {
+            f"save_plot_{id_}": lambda id_=id_: ask_for_cell(statistics, id_)
+            for id_ in statistics.plots
+        }
         return {
             **self.files.handlers(),
+            **self.view_commands.handlers(),
+            **self.theme.handlers(),
+            **samples,
+            **plots,
+            "save_matrix": lambda: ask_for_cell(statistics, "matrix"),
+            "save_statistics": lambda: ask_for_bundle(statistics),
+            "save_graph": lambda: ask_for_graph(self.skeleton),
+            "save_film": lambda: ask_for_film(self.skeleton),
             "preferences": lambda: open_preferences(self),
             "log": show_log,
-            **self.view_commands.handlers(),
             "open_noisy": self._ask_for_noisy,
             "save_mesh": lambda: saving.ask_for_mesh(self),
-            "save_plot": lambda: saving.ask_for_plot(self),
-            "save_table": lambda: saving.ask_for_table(self),
-            "screenshot": self._ask_for_screenshot,
+            "save_plot": self._ask_for_plot,
+            "save_table": self._ask_for_table,
+            "screenshot": lambda: saving.ask_for_screenshot(self),
             "quit": self.close,
             "undo": session.undo,
             "redo": session.redo,
+            "doctor": lambda: DoctorDialog.open_for(self),
             "copy_table": self.denoise.table.copy,
-            "smooth_shading": partial(self._set_view, "smooth_shading", "Shading"),
-            "edges": partial(self._set_view, "edges", "Edges"),
-            "link": partial(self._set_view, "linked", "Link cameras"),
-            "enlarge": lambda: viewport.toggle_enlarged(self.denoise.selected or "noisy"),
-            "reset_view": lambda: self.view_commands.cameras.look_from("Oblique"),
-            "box_zoom": viewport.start_box_zoom,
-            "fly": viewport.fly_to_cursor,
             "advance": self._advance,
             "cancel": session.cancel,
+            "tasks": lambda: self.statusBar().open_list(),
             "methods": lambda: show_reference(self),
             "errata": lambda: show_errata(self),
             "about": lambda: show_about(self),
@@ -140,35 +169,11 @@ class MainWindow(QMainWindow):
         self.files.documents.changed.connect(self._update_title)
         session.study_changed.connect(lambda *_: self._update_title())
         session.activity_changed.connect(self._update_actions)
+        self.statusBar().busy_changed.connect(self._update_actions)
         session.failed.connect(lambda message: dialogs.tell(self, message))
         session.broken.connect(self.faults.report)
-        self.denoise.viewport.box_zoom_ended.connect(
-            lambda: self.actions_["box_zoom"].setChecked(False)
-        )
         self.denoise.noisy_file_requested.connect(self._ask_for_noisy)
-        QGuiApplication.styleHints().colorSchemeChanged.connect(self._follow_system)
-
-    # -- menus
-
-    def _fill_menus(self) -> None:
-        samples = QMenu("Open &Sample", self)
-        for sample in bundled_samples():
-            action = samples.addAction(sample.title)
-            action.triggered.connect(lambda *_, id_=sample.id: self.open_model(SAMPLE_PREFIX + id_))
-        file_menu = self.actions_.menu("File")
-        file_menu.insertMenu(self.actions_["open_noisy"], samples)
-        file_menu.insertMenu(self.actions_["gallery"], self.files.recent.menu)
-        self._samples = samples
-        view = self.actions_.menu("View")
-        view.addSeparator()
-        self._colours = choice_menu(self, "&Colour by", self._colour_names(), self._set_colour)
-        self._colours.addSeparator()
-        self._colours.addAction(self.actions_["colour_bar"])
-        view.addMenu(self._colours)
-        view.addSeparator()
-        modes = {mode: mode.capitalize() for mode in ("system", "light", "dark")}
-        self._themes = choice_menu(self, "&Theme", modes, self._set_mode)
-        view.addMenu(self._themes)
+        self.denoise.model.doctor_requested.connect(lambda: DoctorDialog.open_for(self))
 
     # -- changes
 
@@ -176,21 +181,19 @@ class MainWindow(QMainWindow):
         """Look at the meshes in another way, as an undoable step."""
         self.session.apply(self.session.study.model_copy(update={"view": view}), step)
 
-    def _set_view(self, name: str, step: str, value: object) -> None:
-        self.change_view(step, self.session.study.view.model_copy(update={name: value}))
-
-    def _set_colour(self, metric: str, *_: object) -> None:
-        self.change_view("Colour by", self.session.study.view.coloured_by(metric))
-
-    @staticmethod
-    def _colour_names() -> dict[str, str]:
-        return {"none": "Nothing", **{id_: spec.heat_title for id_, spec in METRICS.items()}}
-
-    def _ask_for_screenshot(self) -> None:
-        if self.tabs.currentWidget() is self.skeleton:
-            ask_for_picture(self.skeleton)
+    def _ask_for_plot(self) -> None:
+        """Ask where to save the error plot, or the large plot of the Statistics tab."""
+        if self.tabs.currentWidget() is self.statistics:
+            large = self.statistics.enlarged or next(iter(self.statistics.plots))
+            ask_for_cell(self.statistics, large)
         else:
-            saving.ask_for_screenshot(self)
+            saving.ask_for_plot(self)
+
+    def _ask_for_table(self) -> None:
+        if self.tabs.currentWidget() is self.statistics:
+            ask_for_tables(self.statistics)
+        else:
+            saving.ask_for_table(self)
 
     def _ask_for_noisy(self) -> None:
         def use(path: Path) -> None:
@@ -212,43 +215,21 @@ class MainWindow(QMainWindow):
 
     def _update_actions(self) -> None:
         book, session = self.actions_, self.session
-        view, history = session.study.view, session.history
-        for command, value in (
-            ("smooth_shading", view.smooth_shading),
-            ("edges", view.edges),
-            ("link", view.linked),
-        ):
-            book[command].blockSignals(True)
-            book[command].setChecked(value)
-            book[command].blockSignals(False)
+        history = session.history
         for command, word, name in (
             ("undo", "Undo", history.undo_name),
             ("redo", "Redo", history.redo_name),
         ):
             book[command].setEnabled(name is not None)
             book[command].setText(f"&{word} {escaped(name)}" if name else f"&{word}")
-        book["cancel"].setEnabled(session.activity is not None)
-        for command in NEED_MODEL:
-            book[command].setEnabled(session.meshes is not None)
-        for action in self._colours.actions():
-            action.setChecked(action.data() == view.colour)
+        busy = session.activity is not None or self.statusBar().is_busy
+        book["cancel"].setEnabled(busy)
 
     def _update_title(self) -> None:
         self.setWindowTitle(self.files.title)
 
-    def _set_mode(self, mode: str, *_: object) -> None:
-        QSettings().setValue(_MODE, mode)
-        set_mode(mode)
-        self._apply_theme()
-
-    def _follow_system(self, _: object) -> None:
-        """Change colours with the desktop, unless a person has chosen."""
-        if QSettings().value(_MODE, "system") == "system":
-            self._set_mode("system")
-
     def _apply_theme(self) -> None:
-        for action in self._themes.actions():
-            action.setChecked(action.data() == QSettings().value(_MODE, "system"))
+        self.theme.show(self.actions_)
         self.actions_.set_icons(self.palette().color(QPalette.ColorRole.WindowText).name())
         self.denoise.set_theme(current_theme())
         self.skeleton.set_theme(current_theme())
@@ -256,7 +237,7 @@ class MainWindow(QMainWindow):
 
     def apply_preferences(self) -> None:
         """Take on what is kept of the preferences."""
-        self._set_mode(str(QSettings().value(_MODE, "system")))
+        self.theme.refresh()
         self.session.set_budget(kept_budget())
         self.view_commands.shortcuts.load()
 

@@ -23,10 +23,10 @@ class MeshFacts:
 
 def mesh_facts(mesh: TriangleMesh) -> MeshFacts:
     """Gather the facts of a mesh."""
-    topology = mesh.topology
+    topology = mesh.topology.along_surface
     return MeshFacts(
         vertices=len(mesh.vertices),
-        edges=len(mesh.edges),
+        edges=len(topology.edges),
         faces=len(mesh.faces),
         components=topology.component_count,
         genus=mesh.genus,

@@ -5,8 +5,7 @@ from collections.abc import Sequence
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QAbstractItemView, QListWidget, QListWidgetItem
 
-from app.export.montage_plan import Cell
-from app.scene.panes import Pane
+from app.export.montage_plan import Cell, Entry
 
 _ID = Qt.ItemDataRole.UserRole
 
@@ -16,27 +15,28 @@ class CellList(QListWidget):
 
     Parameters
     ----------
-    panes : sequence of Pane
-        Panes there are, all checked to begin with.
+    entries : sequence of Entry
+        What there is to show.
     """
 
     changed = Signal()
 
-    def __init__(self, panes: Sequence[Pane]) -> None:
+    def __init__(self, entries: Sequence[Entry]) -> None:
         super().__init__()
         self.setDragDropMode(QAbstractItemView.DragDropMode.InternalMove)
         self.setDefaultDropAction(Qt.DropAction.MoveAction)
         self.setAccessibleName("Panes of the figure")
         self.setSpacing(2)
-        for pane in panes:
-            item = QListWidgetItem(pane.title, self)
-            item.setData(_ID, pane.id)
-            item.setToolTip(f"{pane.title}: the text is its caption")
+        for entry in entries:
+            item = QListWidgetItem(entry.title, self)
+            item.setData(_ID, entry.id)
+            item.setToolTip(f"{entry.title}: the text is its caption")
             item.setFlags(
                 (item.flags() | Qt.ItemFlag.ItemIsEditable | Qt.ItemFlag.ItemIsUserCheckable)
                 & ~Qt.ItemFlag.ItemIsDropEnabled
             )
-            item.setCheckState(Qt.CheckState.Checked)
+            chosen = Qt.CheckState.Checked if entry.chosen else Qt.CheckState.Unchecked
+            item.setCheckState(chosen)
         self.itemChanged.connect(lambda _: self.changed.emit())
         self.model().rowsMoved.connect(lambda *_: self.changed.emit())
 

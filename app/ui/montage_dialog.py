@@ -1,6 +1,5 @@
 """The dialog of a figure: which panes, in which order, with which captions, how large."""
 
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +17,7 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
 )
 
-from app.export.montage import Source, montage_figure, save_montage
+from app.export.montage import montage_figure, save_montage
 from app.export.montage_plan import Montage
 from app.export.pictures import PictureError
 from app.ui.controls import FaintLabel
@@ -46,9 +45,10 @@ class MontageDialog(QDialog):
         self.setWindowTitle("Figure")
         self.resize(1060, 640)
         self._window = window
-        self.source = montage_source(window)
-        self.cells = CellList(self.source.panes)
-        self.columns = QSpinBox(minimum=1, maximum=9, value=min(3, len(self.source.panes)))
+        self.source = window.desk.montage()
+        entries = self.source.entries()
+        self.cells = CellList(entries)
+        self.columns = QSpinBox(minimum=1, maximum=9, value=min(3, len(entries)))
         self.letters = QCheckBox("Letters (a), (b), (c)", checked=True)
         self.bar = QCheckBox("Colour bar", checked=True)
         self.bar.setEnabled(bool(self.source.look.colour_title))
@@ -170,15 +170,6 @@ class MontageDialog(QDialog):
     def _ask(self) -> None:
         stem = Path(self._window.session.meshes.name).stem
         ask_where_to_save(self, "Save the figure", f"{stem}_figure.png", _FILTERS, self.save)
-
-
-def montage_source(window: Any) -> Source:
-    """Return the panes of a window with the cameras they are seen by."""
-    panes, look = window.denoise.panes()
-    viewport = window.denoise.viewport
-    poses = dict(zip(viewport.grid.ids, viewport.grid.poses(), strict=False))
-    width, height = viewport.grid.pane_size(viewport.pixel_size())
-    return Source(tuple(panes), replace(look, text_scale=1.0), poses, width / max(height, 1))
 
 
 def _centimetres(low: float, value: float) -> QDoubleSpinBox:

@@ -7,7 +7,7 @@ from PySide6.QtCore import QRect, QSize, Qt, Signal
 from PySide6.QtGui import QBrush, QColor, QImage, QPainter, QPaintEvent, QPalette, QResizeEvent
 from PySide6.QtWidgets import QWidget
 
-from app.export.montage import Source, cell_pictures, montage_figure, montage_pixels
+from app.export.montage import PictureSource, montage_figure, montage_pixels
 from app.export.montage_plan import INCH, Montage, montage_layout
 from app.export.pictures import Picture, PictureError
 from app.scene.panes import Look
@@ -23,8 +23,8 @@ class MontagePreview(QWidget):
 
     Parameters
     ----------
-    source : Source
-        The panes.
+    source : PictureSource
+        Where the pictures come from.
 
     Signals
     -------
@@ -33,7 +33,7 @@ class MontagePreview(QWidget):
 
     told = Signal(str, bool)
 
-    def __init__(self, source: Source) -> None:
+    def __init__(self, source: PictureSource) -> None:
         super().__init__()
         self._source = source
         self._montage: Montage | None = None
@@ -94,14 +94,14 @@ class MontagePreview(QWidget):
         return max(min(across, down) * self.devicePixelRatioF() * INCH, _LEAST_DPI)
 
     def _kept_pictures(
-        self, source: Source, look: Look, chosen: Sequence[str], size: tuple[int, int], dpi: float,
+        self, look: Look, chosen: Sequence[str], size: tuple[int, int], dpi: float,
         *, transparent: bool,
     ) -> list[Picture]:  # fmt: skip
         """Draw only what was not drawn in this size and on this ground before."""
         ground = (size, look.theme.ground, transparent)
         missing = [pane for pane in chosen if (pane, ground) not in self._pictures]
         if missing:
-            drawn = cell_pictures(source, look, missing, size, dpi, transparent=transparent)
+            drawn = self._source.pictures(look, missing, size, dpi, transparent=transparent)
             self._pictures = {key: p for key, p in self._pictures.items() if key[1] == ground}
             self._pictures |= {(pane, ground): p for pane, p in zip(missing, drawn, strict=True)}
         return [self._pictures[pane, ground] for pane in chosen]

@@ -98,7 +98,7 @@ class _EntryModel(QAbstractListModel):
         entry = self.entries[index.row()]
         texts = {
             Qt.ItemDataRole.DisplayRole: entry.path,
-            Qt.ItemDataRole.ToolTipRole: entry.action.statusTip(),
+            Qt.ItemDataRole.ToolTipRole: entry.action.toolTip(),
             Qt.ItemDataRole.UserRole: entry,
         }
         return texts.get(role)

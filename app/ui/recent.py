@@ -7,7 +7,7 @@ from PySide6.QtCore import QSettings
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QMenu, QProxyStyle, QStyle, QStyleOption, QWidget
 
-from app.ui.actions import escaped
+from app.ui.action_book import escaped
 from app.ui.thumbnails import thumbnail
 
 _KEPT = "recent_files"

@@ -1,7 +1,7 @@
 """Asks what to picture, how large, and on which ground."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Literal
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
@@ -15,7 +15,6 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-Subject = Literal["grid", "pane", "window"]
 _LARGEST = 8
 
 
@@ -23,7 +22,7 @@ _LARGEST = 8
 class Request:
     """A screenshot as the user wants it."""
 
-    subject: Subject
+    subject: str
     scale: int
     transparent: bool
 
@@ -35,22 +34,21 @@ class ScreenshotDialog(QDialog):
     ----------
     parent : QWidget
         The window.
-    pane : str
-        Title of the pane that "selected pane" means.
-    sizes : dict
-        Size in pixels of each subject at scale 1.
+    subjects : dict of str to (str, (int, int))
+        What can be pictured by id: its title, and its size in pixels at scale 1.
     """
 
     wanted = Signal(Request)
 
-    def __init__(self, parent: QWidget, pane: str, sizes: dict[Subject, tuple[int, int]]) -> None:
+    def __init__(
+        self, parent: QWidget, subjects: Mapping[str, tuple[str, tuple[int, int]]]
+    ) -> None:
         super().__init__(parent)
         self.setWindowTitle("Screenshot")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self._sizes = sizes
+        self._sizes = {subject: size for subject, (_, size) in subjects.items()}
         self.subject = QComboBox()
-        names = {"grid": "All panes", "pane": f"Pane: {pane}", "window": "The whole window"}
-        for subject, name in names.items():
+        for subject, (name, _) in subjects.items():
             self.subject.addItem(name, subject)
         self.scale = QSpinBox(minimum=1, maximum=_LARGEST, value=2, prefix="× ")
         self.transparent = QCheckBox("Transparent background")

@@ -3,7 +3,8 @@
 from PySide6.QtCore import QSettings
 from PySide6.QtGui import QKeySequence
 
-from app.ui.actions import COMMANDS, ActionBook, Command
+from app.ui.action_book import ActionBook
+from app.ui.actions import COMMANDS, Command
 
 _GROUP = "shortcuts"
 _PORTABLE = QKeySequence.SequenceFormat.PortableText

@@ -1,27 +1,30 @@
 """The middle of the Skeleton tab: views, their resolutions, growth, exports, flat drawings."""
 
-from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QToolButton, QVBoxLayout, QWidget
 
 from app.scene.skeleton_panes import SkeletonLook, SkeletonPane
 from app.session import Session
 from app.session.skeleton_views import VIEW_COUNT
+from app.ui.action_book import ActionBook
 from app.ui.skeleton_drawing import FlatDrawing
 from app.ui.skeleton_growth import GrowthBar
 from app.ui.skeleton_resolution import ResolutionBar
 from app.ui.skeleton_viewport import SkeletonViewport
 
+_EXPORTS = ("save_graph", "screenshot", "figure", "save_film", "save_mesh")
+
 
 class ExportButton(QToolButton):
-    """A button with everything that can be written."""
+    """A button with what can be written here; the commands are those of the menus."""
 
     def __init__(self) -> None:
         super().__init__(text="Export", popupMode=QToolButton.ToolButtonPopupMode.InstantPopup)
-        menu = QMenu(self)
-        self.graph: QAction = menu.addAction("&Graph of the Selected View…")
-        self.picture: QAction = menu.addAction("&Picture…")
-        self.film: QAction = menu.addAction("&Animation…")
-        self.setMenu(menu)
+        self.setMenu(QMenu(self))
+
+    def offer(self, book: ActionBook) -> None:
+        """List the commands."""
+        for command in _EXPORTS:
+            self.menu().addAction(book[command])
 
 
 class SkeletonCentre(QWidget):

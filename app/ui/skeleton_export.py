@@ -1,18 +1,17 @@
-"""What the Skeleton tab writes: graphs, pictures and films."""
+"""What the Skeleton tab writes beside pictures: graphs and films."""
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QTimer
-from PySide6.QtWidgets import QProgressDialog
+from PySide6.QtCore import QObject, QTimer
 
-from app.export.pictures import Picture, PictureError, save_picture
+from app.export.pictures import PictureError
 from app.export.skeleton_films import write_film
-from app.export.skeleton_pictures import growth_frames, skeleton_picture, turn_frames
+from app.export.skeleton_pictures import growth_frames, turn_frames
+from app.session import Task
 from app.ui.dialogs import ask_where_to_save, tell
 from app.ui.skeleton_film_dialog import FilmDialog, FilmRequest
-from app.ui.skeleton_picture_dialog import PictureDialog, PictureRequest
 from core.skeleton import FORMATS, GraphError, write_graph
 
 if TYPE_CHECKING:
@@ -30,18 +29,6 @@ def ask_for_graph(tab: "SkeletonTab") -> None:
              lambda path: write_graph(skeleton.graph, path))  # fmt: skip
 
 
-def ask_for_picture(tab: "SkeletonTab") -> None:
-    """Ask what to picture, then where to save it."""
-    dialog = PictureDialog(tab, tab.viewport.pixel_size(), len(tab.views.shown))
-
-    def wanted(request: PictureRequest) -> None:
-        _ask(tab, "Save the picture", f"{_stem(tab)}_skeleton.png", "PNG (*.png)",
-             lambda path: save_picture(draw_picture(tab, request), path))  # fmt: skip
-
-    dialog.wanted.connect(wanted)
-    dialog.open()
-
-
 def ask_for_film(tab: "SkeletonTab") -> None:
     """Ask what to film, then where to save it."""
     dialog = FilmDialog(tab)
@@ -55,19 +42,7 @@ def ask_for_film(tab: "SkeletonTab") -> None:
     dialog.open()
 
 
-def draw_picture(tab: "SkeletonTab", request: PictureRequest) -> Picture:
-    """Draw the views at a multiple of their size on the screen."""
-    panes, look = tab.panes(request.scale * tab.devicePixelRatioF())
-    width, height = tab.viewport.pixel_size()
-    if request.selected_only and len(panes) > 1:
-        panes, width = [panes[tab.views.shown.index(tab.selected)]], width // 2
-    size = (width * request.scale, height * request.scale)
-    pose = tab.viewport.grid.pose
-    look = tab.without_frame(look)
-    return skeleton_picture(panes, look, pose, size, transparent=request.transparent)
-
-
-def film(tab: "SkeletonTab", request: FilmRequest, path: Path) -> "FilmProgress":
+def film(tab: "SkeletonTab", request: FilmRequest, path: Path) -> "FilmWriting":
     """Film the views, one frame whenever the window has nothing else to do."""
     panes, look = tab.panes(tab.devicePixelRatioF())
     look, pose, size = tab.without_frame(look), tab.viewport.grid.pose, tab.viewport.pixel_size()
@@ -76,23 +51,25 @@ def film(tab: "SkeletonTab", request: FilmRequest, path: Path) -> "FilmProgress"
     else:
         frames = growth_frames(panes, look, pose, size)
         count = 1 + max(pane.skeleton.view.resolution for pane in panes if pane.skeleton)
-    return FilmProgress(tab, path, write_film(path, frames, request.per_second), count)
+    return FilmWriting(tab, path, write_film(path, frames, request.per_second), count)
 
 
-class FilmProgress(QProgressDialog):
-    """Advances a film and can stop it; a film that is stopped leaves no file."""
+class FilmWriting(QObject):
+    """Advances a film among the other tasks; one that is cancelled leaves no file."""
 
     def __init__(self, tab: "SkeletonTab", path: Path, steps: Iterator[int], count: int) -> None:
-        super().__init__(f"Writing {path.name} …", "Cancel", 0, count, tab)
+        super().__init__(tab)
         self._tab, self._path, self._steps = tab, path, steps
-        self.setMinimumDuration(0)
-        self.setAutoClose(False)
-        self.setAutoReset(False)
-        self.setValue(0)
+        self._written = 0
+        self._task = Task(
+            title=f"Writing {path.name}",
+            share=lambda: self._written / count,
+            on_cancel=self._give_up,
+        )
+        tab.session.tasks.begin(self._task)
         self._timer = QTimer(self, interval=0)
         self._timer.timeout.connect(self._advance)
         self._timer.start()
-        self.canceled.connect(self._give_up)
 
     def _advance(self) -> None:
         try:
@@ -102,7 +79,7 @@ class FilmProgress(QProgressDialog):
             tell(self._tab, str(error))
             return
         if written is not None:
-            self.setValue(written)
+            self._written = written
             return
         self._end()
         self._tab.session.notified.emit(f"Saved {self._path.name}.")
@@ -115,7 +92,7 @@ class FilmProgress(QProgressDialog):
     def _end(self) -> None:
         self._timer.stop()
         self._steps.close()
-        self.hide()
+        self._tab.session.tasks.end(self._task)
         self.deleteLater()
 
 
@@ -128,7 +105,7 @@ def _ask(
         except (GraphError, PictureError, OSError) as error:
             tell(tab, str(error))
         else:
-            if not isinstance(outcome, FilmProgress):
+            if not isinstance(outcome, FilmWriting):
                 tab.session.notified.emit(f"Saved {path.name}.")
 
     ask_where_to_save(tab, title, name, filters, checked)

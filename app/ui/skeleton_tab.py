@@ -13,7 +13,7 @@ from app.session import Session
 from app.session.skeleton_invariance import InvarianceReport
 from app.session.skeleton_views import VIEW_COUNT, SkeletonViews
 from app.ui.skeleton_centre import SkeletonCentre
-from app.ui.skeleton_export import ask_for_film, ask_for_graph, ask_for_picture
+from app.ui.skeleton_desk import SkeletonDesk
 from app.ui.skeleton_side import SkeletonSide
 
 _LAYOUT = "skeleton_layout"
@@ -44,6 +44,7 @@ class SkeletonTab(QMainWindow):
         self.selected = VIEW_COUNT - 1
         self.step: int | None = None
         self.picked: dict[int, int] = {}
+        self.flickers = False
         self._theme = theme
         self._fresh_model = True
         self._laid_out = False
@@ -59,6 +60,7 @@ class SkeletonTab(QMainWindow):
             self._dock("Graph", self.centre.drawings, Qt.DockWidgetArea.BottomDockWidgetArea),
         ]
         self.setCorner(Qt.Corner.BottomLeftCorner, Qt.DockWidgetArea.LeftDockWidgetArea)
+        self.desk = SkeletonDesk(self, self.viewport)
         self._connect()
 
     def panes(self, text_scale: float) -> tuple[list[SkeletonPane], SkeletonLook]:
@@ -70,6 +72,12 @@ class SkeletonTab(QMainWindow):
         if self.session.meshes is None:
             return [], look
         return [self._pane(view) for view in shown], look
+
+    def set_flicker(self, on: bool) -> None:
+        """Show the other view's graph in the selected view, or its own again."""
+        if on != self.flickers:
+            self.flickers = on
+            self._redraw()
 
     @staticmethod
     def without_frame(look: SkeletonLook) -> SkeletonLook:
@@ -112,6 +120,7 @@ class SkeletonTab(QMainWindow):
         """Release the graphics before the window goes."""
         self._redraw_timer.stop()
         self.growth.stop()
+        self.desk.gestures.stop()
         self.viewport.close_interactor()
 
     def _dock(self, title: str, widget: QWidget, area: Qt.DockWidgetArea) -> QDockWidget:
@@ -134,10 +143,6 @@ class SkeletonTab(QMainWindow):
         self.growth.changed.connect(self._on_growth)
         self.side.selected.connect(self.select)
         self.side.facts.check_requested.connect(self._check)
-        exports = self.centre.exports
-        exports.graph.triggered.connect(lambda: ask_for_graph(self))
-        exports.picture.triggered.connect(lambda: ask_for_picture(self))
-        exports.film.triggered.connect(lambda: ask_for_film(self))
 
     def _pane(self, view: int) -> SkeletonPane:
         centre = self.session.meshes.comparison.original.vertices.mean(axis=0)
@@ -182,7 +187,8 @@ class SkeletonTab(QMainWindow):
         graphs = [pane.skeleton for pane in panes if pane.skeleton]
         self.growth.set_last(max((graph.view.resolution for graph in graphs), default=1))
         self.step = self.growth.step
-        self.viewport.show_panes(panes, look)
+        drawn = [panes[1 - look.selected]] * 2 if self.flickers and len(panes) > 1 else panes
+        self.viewport.show_panes(drawn, look)
         self.centre.show_panes(dict(zip(self.views.shown, panes, strict=True)), look)
         if self._fresh_model and len(graphs) == len(panes) and self.views.is_settled:
             self._fresh_model = False

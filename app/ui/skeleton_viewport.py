@@ -3,7 +3,7 @@
 import time
 from operator import or_
 
-from PySide6.QtCore import QEvent, QPoint, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
@@ -11,6 +11,7 @@ from app.scene.camera import CameraPose
 from app.scene.skeleton_grid import SHAPE, SkeletonGrid
 from app.scene.skeleton_panes import SkeletonLook, SkeletonPane
 from app.ui.interactor import Interactor
+from app.ui.stage import View, share_of
 
 _CLICK_PIXELS = 4
 _REST_MS = 300
@@ -68,9 +69,8 @@ class SkeletonViewport(QWidget):
 
     def look_from(self, preset: str) -> None:
         """Show the whole model from a preset direction."""
-        self._move()
         self.grid.look_from(preset, self.pixel_size())
-        self.interactor.update()
+        self.camera_moved()
 
     @property
     def pose(self) -> CameraPose:
@@ -79,15 +79,35 @@ class SkeletonViewport(QWidget):
 
     def set_pose(self, pose: CameraPose) -> None:
         """Put the camera into a pose."""
-        self._hurry()
         self.grid.set_pose(pose)
-        self.interactor.update()
+        self.camera_moved()
+
+    @property
+    def panes(self) -> list[SkeletonPane]:
+        """Panes as they were drawn last."""
+        return self._panes
 
     def close_interactor(self) -> None:
         """Release the graphics; the widget cannot be used any more."""
         self._rest.stop()
         self.interactor.removeEventFilter(self)
         self.interactor.close()
+
+    def view_at(self, x: float, y: float) -> View | None:
+        """Return the view at a point, in shares of the widget from its lower left corner."""
+        pane = self.grid.pane_at(x, y)
+        return None if pane is None else View(self.grid.renderer(pane), self.grid.viewports[pane])
+
+    def camera_moved(self) -> None:
+        """Draw what is seen after a camera was moved."""
+        self._move()
+        self.interactor.update()
+
+    def part(self, share: float | None) -> None:
+        """Show both views as one, parted by a line at a share of the width; None as two."""
+        self.grid.part(share)
+        self._redraw()
+        self.camera_moved()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -110,8 +130,7 @@ class SkeletonViewport(QWidget):
         pressed, self._pressed = self._pressed, None
         if pressed is None or (point - pressed).manhattanLength() >= _CLICK_PIXELS:
             return
-        size = self.interactor.size()
-        x, y = point.x() / max(size.width(), 1), 1 - point.y() / max(size.height(), 1)
+        x, y = share_of(self, QPointF(point))
         pane = self.grid.pane_at(x, y)
         if pane is not None:
             self.clicked.emit(pane, self.grid.node_at(pane, x, y, self.pixel_size()))

@@ -1,14 +1,21 @@
 """What the Statistics tab writes to files and to the clipboard."""
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtGui import QGuiApplication
 
+from app.export.statistics_bundle import write_statistics
 from app.export.statistics_plots import PLOTS, save_statistics_plot
 from app.export.statistics_tables import plot_tables
-from app.ui.dialogs import ask_where_to_save, tell
+from app.session.jobs import progress_job
+from app.ui.dialogs import ask_for_folder, ask_where_to_save, tell
 from app.ui.statistics_matrix import SAVE_FILTERS
+from app.ui.statistics_work import Model
+from core.io import SaveError
+from core.statistics import MeshStatistics, statistics_steps
+from core.whole_files import write_atomically
 
 if TYPE_CHECKING:
     from app.ui.statistics_tab import StatisticsTab
@@ -31,20 +38,64 @@ def copy_numbers(tab: "StatisticsTab", plot: str) -> None:
     tab.session.notified.emit(f"Copied the numbers of: {PLOTS[plot].title}.")
 
 
+def save_tables(tab: "StatisticsTab", path: Path) -> None:
+    """Save the numbers of all plots, each table under its own name, into one CSV file."""
+    series = tab.work.series()
+    tables = [table for plot in PLOTS for table in plot_tables(plot, series)]
+    text = "\n".join(f"# {table.name}\n{table.text()}" for table in tables)
+    write_atomically(path, text.encode())
+
+
+def ask_for_tables(tab: "StatisticsTab") -> None:
+    """Ask where to save the numbers of all plots."""
+    name = f"{tab.work.models[0].name}_statistics.csv"
+    _ask(tab, "Save the tables", name, "CSV (*.csv)", lambda path: save_tables(tab, path))
+
+
+def ask_for_bundle(tab: "StatisticsTab") -> None:
+    """Ask for the folder of all plots, tables and numbers of the first model."""
+    ask_for_folder(
+        tab, "Save the statistics into a folder", lambda path: bundle(tab, tab.work.models[0], path)
+    )
+
+
+def bundle(tab: "StatisticsTab", model: Model, folder: Path) -> None:
+    """Compute what is missing beside the window, then write everything, as `burnish stats -o`."""
+
+    def write(statistics: MeshStatistics) -> None:
+        try:
+            write_statistics(model.name, model.mesh, statistics, folder)
+        except SaveError as error:
+            tell(tab, str(error))
+        else:
+            tab.session.notified.emit(f"Saved the statistics into {folder.name}.")
+
+    steps = statistics_steps(model.mesh, tab.work.geodesic)
+    title = f"Statistics of {model.name}"
+    tab.session.jobs.start(progress_job(steps, write, tab.session.report, title=title))
+
+
 def ask_for_cell(tab: "StatisticsTab", cell: str) -> None:
     """Ask where to save a plot or the matrix."""
     if not tab.work.models:
         return
+    matrix = cell == "matrix"
+    if matrix:
+        tab.matrix.show_mesh(tab.work.models[0].mesh, tab.theme)
+    name = f"{tab.work.models[0].name}_{cell}.{'png' if matrix else 'svg'}"
+    filters = SAVE_FILTERS if matrix else _PLOT_FILTERS
+    _ask(tab, "Save the plot", name, filters, lambda path: save_cell(tab, cell, path))
 
-    def save(path: Path) -> None:
+
+def _ask(
+    tab: "StatisticsTab", title: str, name: str, filters: str, save: Callable[[Path], None]
+) -> None:
+    def checked(path: Path) -> None:
         try:
-            save_cell(tab, cell, path)
+            save(path)
         except (ValueError, OSError) as error:
             tell(tab, str(error))
         else:
             tab.session.notified.emit(f"Saved {path.name}.")
 
-    matrix = cell == "matrix"
-    name = f"{tab.work.models[0].name}_{cell}.{'png' if matrix else 'svg'}"
-    filters = SAVE_FILTERS if matrix else _PLOT_FILTERS
-    ask_where_to_save(tab, "Save the plot", name, filters, save)
+    ask_where_to_save(tab, title, name, filters, checked)

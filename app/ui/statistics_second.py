@@ -1,6 +1,6 @@
 """The model that is laid over the first: a file, a sample, or the session's own other meshes."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -12,10 +12,11 @@ from core.comparison import read_model
 from core.io import LoadedMesh, bundled_samples
 from core.mesh import TriangleMesh
 from core.smoothing import METHODS
-from core.study import SAMPLE_PREFIX
+from core.statistics_view import METHOD_PREFIX, NO_SECOND, NOISY_SECOND
+from core.study import SAMPLE_PREFIX, Study
 
-NONE, OPEN = "none", "open"
-_NOISY, _METHOD = "noisy", "method:"
+NONE, OPEN = NO_SECOND, "open"
+_NOISY, _METHOD = NOISY_SECOND, METHOD_PREFIX
 
 
 class SecondModel(QObject):
@@ -24,18 +25,21 @@ class SecondModel(QObject):
     Signals
     -------
     changed() : another model is chosen, or the chosen one has changed.
-    failed(str) : it cannot be read.
     """
 
     changed = Signal()
-    failed = Signal(str)
 
     def __init__(self, session: Session, parent: QObject) -> None:
         super().__init__(parent)
-        self.chosen = NONE
         self._session = session
         self._loaded: dict[str, LoadedMesh] = {}
         self._denoised: tuple[Any, int, TriangleMesh] | None = None
+        session.study_changed.connect(self._on_study_changed)
+
+    @property
+    def chosen(self) -> str:
+        """Id of the chosen model."""
+        return str(self._session.study.statistics.second)
 
     def choices(self) -> dict[str, str]:
         """List the models by id."""
@@ -51,11 +55,10 @@ class SecondModel(QObject):
 
     def choose(self, id_: str) -> None:
         """Choose a model by its id, which may be the path of a file; it may have to be read."""
-        if id_ in self._loaded or id_ not in self.choices() or id_.startswith(SAMPLE_PREFIX):
-            self._load(id_)
-            return
-        self.chosen = id_
-        self.changed.emit()
+        if self._is_file(id_):
+            self._load(id_, self._choose)
+        else:
+            self._choose(id_)
 
     def model(self) -> Model | None:
         """Return the chosen model, or None where there is none (yet)."""
@@ -80,21 +83,38 @@ class SecondModel(QObject):
             self._denoised = positions, iteration, noisy.with_vertices(run.vertices(iteration))
         return Model(f"{METHODS[method].title}, k = {iteration}", self._denoised[2])
 
-    def _load(self, id_: str) -> None:
+    def _choose(self, id_: str) -> None:
+        """Put a model that is there into the study."""
+        study = self._session.study
+        settings = study.statistics.model_copy(update={"second": id_})
+        self._session.apply(study.model_copy(update={"statistics": settings}), "Second model")
+
+    def _on_study_changed(self, study: Study, before: Study) -> None:
+        if study.statistics.second == before.statistics.second:
+            return
+        if self._is_file(self.chosen) and self.chosen not in self._loaded:
+            self._load(self.chosen, lambda _: self.changed.emit())
+        self.changed.emit()
+
+    @staticmethod
+    def _is_file(id_: str) -> bool:
+        return id_ not in {NONE, _NOISY} and not id_.startswith(_METHOD)
+
+    def _load(self, id_: str, use: Callable[[str], None]) -> None:
         def read() -> Iterator[LoadedMesh]:
             yield self._loaded.get(id_) or read_model(id_)
 
         def loaded(mesh: LoadedMesh) -> None:
             self._loaded[id_] = mesh
-            self.chosen = id_
-            self.changed.emit()
+            use(id_)
 
         def failed(error: Exception) -> None:
-            self.failed.emit(str(error) or type(error).__name__)
+            self._session.report(error)
             self.changed.emit()
 
-        self._session.jobs.start(Job(read(), loaded, failed), urgent=True)
+        job = Job(read(), loaded, failed, title=f"Loading {_short(id_)}")
+        self._session.jobs.start(job, urgent=True)
 
 
 def _short(path: str) -> str:
-    return Path(path).name
+    return Path(path.removeprefix(SAMPLE_PREFIX)).name

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QGridLayout,
     QLabel,
     QMenu,
-    QProgressBar,
     QScrollArea,
     QToolButton,
     QVBoxLayout,
@@ -22,8 +21,8 @@ from app.export.statistics_reports import summary_rows
 from app.export.statistics_series import SERIES_COLOURS
 from app.ui.controls import FaintLabel, IconButton, WheelGuard
 from app.ui.parameter_form import ParameterForm
-from core.parameters import build_params
-from core.statistics import GeodesicParams, SpectrumParams, Summary
+from core.statistics import GeodesicParams, Summary
+from core.statistics_view import StatisticsSettings
 
 WIDTH = 288
 
@@ -42,14 +41,13 @@ class StatisticsSide(QWidget):
 
     Signals
     -------
-    changed() : a parameter or the colouring was changed.
+    changed(str) : a choice was changed, under the name of the step.
     second_chosen(str) : which model to lay over the first.
-    cancelled(), resumed() : stop the work, go on with it.
+    resumed() : go on with work that was cancelled.
     """
 
-    changed = Signal()
+    changed = Signal(str)
     second_chosen = Signal(str)
-    cancelled = Signal()
     resumed = Signal()
 
     def __init__(self) -> None:
@@ -65,23 +63,32 @@ class StatisticsSide(QWidget):
         self.tools.setMenu(QMenu(self.tools))
         self._summary = QGridLayout()
         self._text = FaintLabel()
-        self._bar = QProgressBar(maximum=100, textVisible=False)
-        self._bar.setFixedHeight(10)
-        self.stop = IconButton("mdi6.stop-circle-outline", "Stop computing")
         self.go_on = IconButton("mdi6.play-circle-outline", "Go on computing")
         self._fill()
         self._lay_out()
         self._connect()
         self.show_activity(None, cancelled=False)
 
-    def geodesic_params(self) -> GeodesicParams:
-        """Return how distances are to be measured."""
-        params: GeodesicParams = build_params(GeodesicParams, self.geodesic.values())
-        return params
+    def settings(self) -> dict[str, Any]:
+        """Return what is chosen, besides the second model."""
+        return {
+            "matrix": self.matrix.currentData(),
+            "colour": self.colour.currentData(),
+            "relative": self.relative.isChecked(),
+            "geodesic": self.geodesic.values(),
+        }
 
-    def spectrum_params(self) -> SpectrumParams:
-        """Return which spectrum is to be shown."""
-        return SpectrumParams(matrix=self.matrix.currentData())
+    def show_settings(self, settings: StatisticsSettings) -> None:
+        """Show what a study has chosen."""
+        for widget in (self.matrix, self.colour, self.relative):
+            widget.blockSignals(True)
+        self.matrix.setCurrentIndex(self.matrix.findData(settings.matrix))
+        self.colour.setCurrentIndex(self.colour.findData(settings.colour))
+        self.relative.setChecked(settings.relative)
+        for widget in (self.matrix, self.colour, self.relative):
+            widget.blockSignals(False)
+        if self.geodesic.values() != settings.geodesic:
+            self.geodesic.set_values(settings.geodesic)
 
     def offer_second(self, choices: dict[str, str], current: str) -> None:
         """List the models that can be laid over the first."""
@@ -101,16 +108,12 @@ class StatisticsSide(QWidget):
             for column, (_, value) in enumerate(cells):
                 self._summary.addWidget(self._value(value, column, len(cells)), row, column + 1)
 
-    def show_activity(self, activity: tuple[str, float] | None, *, cancelled: bool) -> None:
-        """Show what is being computed, with a button to stop it or to go on."""
-        self._bar.setVisible(activity is not None)
-        self.stop.setVisible(activity is not None)
-        self.go_on.setVisible(activity is None and cancelled)
-        if activity:
-            self._text.setText(f"{activity[0]} …")
-            self._bar.setValue(round(100 * activity[1]))
-        else:
-            self._text.setText("Stopped; some plots are not complete." if cancelled else "")
+    def show_activity(self, activity: str | None, *, cancelled: bool) -> None:
+        """Show what is being computed, or that it was cancelled, with a button to go on."""
+        stopped = activity is None and cancelled
+        self.go_on.setVisible(stopped)
+        waiting = f"{activity} …" if activity else ""
+        self._text.setText("Cancelled; some plots are not complete." if stopped else waiting)
 
     def _value(self, value: str, column: int, count: int) -> QLabel:
         label = QLabel(value)
@@ -168,28 +171,22 @@ class StatisticsSide(QWidget):
         row = QGridLayout()
         row.setContentsMargins(8, 2, 4, 4)
         row.setColumnStretch(0, 1)
-        row.addWidget(self._text, 0, 0, 1, 2)
-        row.addWidget(self._bar, 1, 0)
-        row.addWidget(self.stop, 1, 1)
-        row.addWidget(self.go_on, 1, 1)
+        row.addWidget(self._text, 0, 0)
+        row.addWidget(self.go_on, 0, 1)
         return row
 
     def _connect(self) -> None:
-        for signal in (
-            self.matrix.currentIndexChanged,
-            self.colour.currentIndexChanged,
-            self.geodesic.changed,
-            self.relative.toggled,
+        for signal, step in (
+            (self.matrix.currentIndexChanged, "Spectrum"),
+            (self.colour.currentIndexChanged, "Colour of the models"),
+            (self.geodesic.changed, "Geodesic distances"),
+            (self.relative.toggled, "Unit of the distances"),
         ):
-            signal.connect(self._on_changed)
+            signal.connect(lambda *_, step=step: self.changed.emit(step))
         self.second.activated.connect(
             lambda index: self.second_chosen.emit(self.second.itemData(index))
         )
-        self.stop.clicked.connect(self.cancelled)
         self.go_on.clicked.connect(self.resumed)
-
-    def _on_changed(self, *_: Any) -> None:
-        self.changed.emit()
 
 
 def _heading(text: str) -> QLabel:

@@ -1,19 +1,20 @@
 """The Statistics tab: the model and the five plots of thesis figures 3.2–3.7."""
 
+from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QWidget
 
 from app.export.statistics_plots import PLOTS
-from app.export.statistics_selection import Selection, Spot, select
 from app.export.statistics_series import SERIES_COLOURS, Series
 from app.scene.colours import Theme
 from app.scene.statistics_panes import PaneMaker, ShownModel, colour_look
 from app.session import Session
 from app.ui.controls import Coalesced
-from app.ui.dialogs import ask_for_file, tell
+from app.ui.dialogs import ask_for_file
+from app.ui.statistics_desk import StatisticsDesk
+from app.ui.statistics_lights import StatisticsLights
 from app.ui.statistics_matrix import MatrixCell
 from app.ui.statistics_plot import Cell, StatisticsPlot
 from app.ui.statistics_saving import ask_for_cell, copy_numbers
@@ -22,7 +23,8 @@ from app.ui.statistics_side import WIDTH, StatisticsSide
 from app.ui.statistics_tools import TOOLS, remesh
 from app.ui.statistics_view import StatisticsView
 from app.ui.statistics_work import Model, StatisticsWork
-from core.arrays import BoolArray, FloatArray
+from core.arrays import FloatArray
+from core.study import Study
 
 _REDRAW_MS = 80
 _REFRESH_MS = 250
@@ -52,20 +54,26 @@ class StatisticsTab(QWidget):
         self.session = session
         self.enlarged: str | None = None
         self._theme = theme
-        self._pointed: Spot | None = None
         self._pane_maker = PaneMaker()
-        self.work = StatisticsWork(session.jobs)
+        self.work = StatisticsWork(session.jobs, session.report)
         self.second = SecondModel(session, self)
         self.side = StatisticsSide()
         self.view = StatisticsView()
         self.plots = {spec.id: StatisticsPlot(spec) for spec in PLOTS.values()}
         self.matrix = MatrixCell()
         self.cells: dict[str, Cell] = {**self.plots, "matrix": self.matrix}
+        self.lights = StatisticsLights(self.work, self.view, self.plots)
+        self.desk = StatisticsDesk(self, self.view)
         self._redraw_soon = Coalesced(self._redraw, _REDRAW_MS, self)
         self._refresh_soon = Coalesced(self._refresh, _REFRESH_MS, self)
         self._fill_tools()
         self._lay_out()
         self._connect()
+
+    @property
+    def theme(self) -> Theme:
+        """Colours of the plots."""
+        return self._theme
 
     def set_theme(self, theme: Theme) -> None:
         """Draw everything in a theme's colours."""
@@ -79,6 +87,7 @@ class StatisticsTab(QWidget):
         """Release the graphics before the window goes."""
         self._redraw_soon.stop()
         self._refresh_soon.stop()
+        self.desk.gestures.stop()
         self.view.close_interactor()
 
     def enlarge(self, cell: str) -> None:
@@ -89,6 +98,8 @@ class StatisticsTab(QWidget):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
+        settings = self.session.study.statistics
+        self.work.set_params(settings.geodesic_params, settings.spectrum_params)
         self._refresh_soon.request()
         self._redraw_soon.request()
 
@@ -135,15 +146,12 @@ class StatisticsTab(QWidget):
         session, side = self.session, self.side
         session.meshes_changed.connect(self._refresh_soon.request)
         session.run_changed.connect(self._on_run_changed)
-        session.study_changed.connect(self._refresh_soon.request)
+        session.study_changed.connect(self._on_study_changed)
         self.work.changed.connect(self._redraw_soon.request)
         self.work.activity_changed.connect(self._show_activity)
-        for source in (self.work, self.second):
-            source.failed.connect(lambda message: tell(self, message))
         self.second.changed.connect(self._refresh)
         side.second_chosen.connect(self._choose_second)
         side.changed.connect(self._on_side_changed)
-        side.cancelled.connect(self.work.cancel)
         side.resumed.connect(lambda: self.work.start(again=True))
         self.view.picked.connect(self._pick)
         for cell in self.cells.values():
@@ -151,7 +159,7 @@ class StatisticsTab(QWidget):
             cell.save_asked.connect(lambda cell: ask_for_cell(self, cell))
             cell.copy_asked.connect(lambda plot: copy_numbers(self, plot))
         for plot in self.plots.values():
-            plot.pointed.connect(self._on_pointed)
+            plot.pointed.connect(self.lights.point)
 
     # -- what is on show
 
@@ -185,8 +193,10 @@ class StatisticsTab(QWidget):
         ]
         title = _COLOUR_TITLES.get(colour, "")
         look = colour_look(models, title, self._theme, self.devicePixelRatioF())
+        seen = self.session.study.view
+        look = replace(look, smooth=seen.smooth_shading, edges=seen.edges)
         self.view.show_models(self._pane_maker.panes(models), look)
-        self._light()
+        self.lights.show()
 
     def _values(self, place: int, series: list[Series]) -> FloatArray | None:
         """What colours the vertices of a model."""
@@ -207,9 +217,22 @@ class StatisticsTab(QWidget):
         else:
             self.second.choose(id_)
 
-    def _on_side_changed(self) -> None:
-        self.work.relative = self.side.relative.isChecked()
-        self.work.set_params(self.side.geodesic_params(), self.side.spectrum_params())
+    def _on_side_changed(self, step: str) -> None:
+        study = self.session.study
+        settings = study.statistics.model_copy(update=self.side.settings())
+        self.session.apply(study.model_copy(update={"statistics": settings}), step)
+
+    def _on_study_changed(self, study: Study, before: Study) -> None:
+        self._refresh_soon.request()
+        if study.view != before.view:
+            self._redraw_soon.request()
+        if study.statistics == before.statistics:
+            return
+        settings = study.statistics
+        self.side.show_settings(settings)
+        self.work.relative = settings.relative
+        if self.isVisible():
+            self.work.set_params(settings.geodesic_params, settings.spectrum_params)
         self._redraw_soon.request()
 
     def _on_run_changed(self, method: str) -> None:
@@ -221,29 +244,3 @@ class StatisticsTab(QWidget):
         self.work.pick(model, vertex)
         if self.side.colour.currentData() == "none":
             self.side.colour.setCurrentIndex(self.side.colour.findData("distance"))
-
-    def _on_pointed(self, spot: Spot | None) -> None:
-        if spot is None and self._pointed is not None:
-            self.plots[self._pointed.plot].mark(Selection(), beside=False)
-        self._pointed = spot
-        self._light()
-
-    def _light(self) -> None:
-        """Light up what the pointer is over, else the picked vertex."""
-        spot, series = self._pointed, self.work.series()
-        if spot is None:
-            self.view.light([self._picked_mask(place) for place in range(len(self.work.models))])
-            return
-        found = [select(spot, one, self.work.distances(i)) for i, one in enumerate(series)]
-        words = " | ".join(selection.words for selection in found if selection.words)
-        span = next((selection.span for selection in found if selection.span), None)
-        self.plots[spot.plot].mark(Selection(None, span, words), beside=spot.beside)
-        self.view.light([selection.vertices for selection in found])
-
-    def _picked_mask(self, place: int) -> BoolArray | None:
-        picked = self.work.picked
-        if picked is None or picked[0] != place:
-            return None
-        mask = np.zeros(len(self.work.models[place].mesh.vertices), np.bool_)
-        mask[picked[1]] = True
-        return mask

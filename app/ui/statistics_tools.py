@@ -42,10 +42,7 @@ def remesh(session: Session, tool: str) -> None:
         yield path
 
     def made(path: Path) -> None:
-        update = {"model": str(path), "noisy": None}
+        update = {"model": str(path), "noisy": None, "repairs": ()}
         session.apply(session.study.model_copy(update=update), title)
 
-    def failed(error: Exception) -> None:
-        session.failed.emit(str(error) or type(error).__name__)
-
-    session.jobs.start(Job(steps(), made, failed), urgent=True)
+    session.jobs.start(Job(steps(), made, session.report, title=title), urgent=True)

@@ -7,9 +7,12 @@ from PySide6.QtGui import QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 from vtkmodules.vtkRenderingCore import vtkCellPicker
 
+from app.scene.camera import CameraPose
 from app.scene.panes import Look
 from app.scene.statistics_scene import SCENE_SHAPE, ModelPane, StatisticsScene
+from app.scene.unit_ball import UnitFrame
 from app.ui.interactor import Interactor
+from app.ui.stage import View, device_place, share_of
 from core.arrays import BoolArray
 
 _CLICK_PIXELS = 4
@@ -37,6 +40,7 @@ class StatisticsView(QWidget):
         self._look: Look | None = None
         self._masks: Sequence[BoolArray | None] = ()
         self._pressed: QPoint | None = None
+        self.flickers = False
         self.interactor.render_window.AddObserver(
             "StartEvent", lambda *_: self.scene.fit_clipping()
         )
@@ -64,6 +68,57 @@ class StatisticsView(QWidget):
         self.scene.look_from(preset)
         self.interactor.update()
 
+    @property
+    def pose(self) -> CameraPose:
+        """Where the camera stands, in units of the first model from its centroid."""
+        return self._frame.to_model(self.scene.pose)
+
+    def set_pose(self, pose: CameraPose) -> None:
+        """Put the camera into a pose in units of the first model."""
+        self.scene.set_pose(self._frame.to_unit(pose))
+        self.interactor.update()
+
+    def view_at(self, x: float, y: float) -> View | None:
+        """Return the view at a point, in shares of the widget from its lower left corner."""
+        model = self.scene.model_at(x, y)
+        if model is None:
+            return None
+        return View(self.scene.renderer(model), self.scene.viewports[model])
+
+    def camera_moved(self) -> None:
+        """Draw what is seen after a camera was moved."""
+        self.interactor.update()
+
+    def set_flicker(self, on: bool) -> None:
+        """Show the second model in place of the first, or the first again."""
+        if on != self.flickers:
+            self.flickers = on
+            self._draw()
+
+    def part(self, share: float | None) -> None:
+        """Show both models as one, parted by a line at a share of the width; None as two."""
+        self.scene.part(share)
+        self._draw()
+
+    @property
+    def panes(self) -> Sequence[ModelPane]:
+        """Models as they were drawn last."""
+        return self._panes
+
+    @property
+    def shown(self) -> Sequence[ModelPane]:
+        """Models in the places where they are seen."""
+        return [self._panes[1]] * 2 if self.flickers and len(self._panes) > 1 else self._panes
+
+    @property
+    def look(self) -> Look | None:
+        """How they were drawn last."""
+        return self._look
+
+    @property
+    def _frame(self) -> UnitFrame:
+        return self._panes[0].frame if self._panes else UnitFrame()
+
     def close_interactor(self) -> None:
         """Release the graphics; the widget cannot be used any more."""
         self.interactor.removeEventFilter(self)
@@ -86,21 +141,18 @@ class StatisticsView(QWidget):
             return
         theme = self._look.theme
         self.scene.set_ground(theme.ground, theme.ground_top)
-        self.scene.show(self._panes, self._look, self.interactor.pixel_size())
+        self.scene.show(self.shown, self._look, self.interactor.pixel_size())
         self.scene.light(self._masks)
         self.interactor.update()
 
     def _click(self, event: QMouseEvent) -> None:
         """Pick the vertex nearest to where the surface was clicked without dragging."""
-        place = event.position().toPoint()
-        moved = (place - self._pressed).manhattanLength()
+        place = event.position()
+        moved = (place.toPoint() - self._pressed).manhattanLength()
         self._pressed = None
-        width, height = max(self.interactor.width(), 1), max(self.interactor.height(), 1)
-        x, y = place.x() / width, 1 - place.y() / height
-        model = self.scene.model_at(x, y)
+        model = self.scene.model_at(*share_of(self, place))
         if moved >= _CLICK_PIXELS or model is None:
             return
         picker = vtkCellPicker()
-        wide, high = self.interactor.pixel_size()
-        if picker.Pick(x * wide, y * high, 0, self.scene.renderer(model)):
+        if picker.Pick(*device_place(self, place), 0, self.scene.renderer(model)):
             self.picked.emit(model, self.scene.nearest_vertex(model, picker.GetPickPosition()))

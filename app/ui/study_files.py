@@ -53,7 +53,8 @@ class StudyFiles:
         self.autosave = Autosave(window.session, self.documents, sessions_folder())
         self.recent = RecentFiles(self.open, window)
         self._thumbnailer = Thumbnailer(window.session, self.documents)
-        self._may_close = False
+        self._may_close = self._close_soon = False
+        self._saves = 0
         self.documents.changed.connect(self._remember)
 
     def handlers(self) -> dict[str, Callable[[], object]]:
@@ -103,7 +104,8 @@ class StudyFiles:
 
     def _open_model(self, model: str) -> None:
         name = model.removeprefix(SAMPLE_PREFIX)
-        study = self._session.study.model_copy(update={"model": model, "noisy": None})
+        fresh = {"model": model, "noisy": None, "repairs": ()}
+        study = self._session.study.model_copy(update=fresh)
         begun = self.documents.current if self.documents.is_modified else Document(saved=study)
         self.documents.open(study, Document(saved=begun.saved), f"Open {Path(name).name}")
 
@@ -160,19 +162,33 @@ class StudyFiles:
             write_study_file(study, path, packed=packed, known=known)
             yield True
 
-        def done(_: bool) -> None:
+        def written(_: bool) -> None:
             self.documents.saved(study, path.absolute(), packed=packed)
             self._session.notified.emit(f"Saved {path.name}.")
             then()
 
-        self._session.jobs.start(Job(steps(), done, self._session.report), urgent=True)
+        def done() -> None:
+            self._saves -= 1
+            if self._close_soon and not self._saves:
+                self._close_soon = False
+                self._window.close()
+
+        self._saves += 1
+        job = Job(
+            steps(), written, self._session.report, done,
+            title=f"Saving {path.name}", can_cancel=False,
+        )  # fmt: skip
+        self._session.saving.start(job)
 
     # -- work that is not saved
 
     def may_close(self) -> bool:
-        """Whether the window may close now; else it asks, and closes after the answer."""
+        """Whether the window may close now; else it asks or saves, and closes after that."""
         if self._may_close or self._session.meshes is None or not self.documents.is_modified:
             return True
+        if self._saves:  # how that ends decides whether there is anything to ask
+            self._close_soon = True
+            return False
         self._when_safe(self._close)
         return False
 

@@ -43,7 +43,8 @@ class StudyOpening:
             forget_old(unpacked_folder())
             yield self._file.locate(unpacked_folder(), chosen=self._chosen, accepted=self._accepted)
 
-        self._window.session.jobs.start(Job(steps(), self._use, self._failed), urgent=True)
+        job = Job(steps(), self._use, self._failed, title="Opening the study")
+        self._window.session.jobs.start(job, urgent=True)
 
     def _failed(self, error: Exception) -> None:
         if isinstance(error, MissingModelError | ChangedModelError):

@@ -7,6 +7,7 @@ from PySide6.QtGui import QColor, QGuiApplication, QPalette
 from PySide6.QtWidgets import QApplication
 
 from app.scene.colours import DARK, LIGHT, Theme
+from app.ui.clear_style import ClearStyle
 
 Mode = Literal["system", "light", "dark"]
 
@@ -28,20 +29,24 @@ QStatusBar::item { border: none; }
 _Role = QPalette.ColorRole
 # Window, base, alternate base, button, text, dim text, highlight, dividing line.
 _ROLES = {
-    False: ("#f2f4f6", "#ffffff", "#f5f7f9", "#f7f8fa", "#20262d", "#7d8894", "#0b6bcb", "#c9d0d8"),
+    False: ("#f2f4f6", "#ffffff", "#f5f7f9", "#f7f8fa", "#20262d", "#65707c", "#0b6bcb", "#c9d0d8"),
     True: ("#262b31", "#1e2227", "#2a3037", "#323941", "#e4e8ec", "#8b96a2", "#2f7fd1", "#454e58"),
 }
 
 
 def set_mode(mode: Mode) -> None:
     """Choose light, dark, or what the system says."""
-    QApplication.setStyle("Fusion")
-    hints = QGuiApplication.styleHints()
-    hints.setColorScheme(_SCHEMES[mode])
+    QApplication.setStyle(ClearStyle())
+    QGuiApplication.styleHints().setColorScheme(_SCHEMES[mode])
     # Not every platform follows the request, so the palette is set as well.
-    dark = mode == "dark" or (mode == "system" and hints.colorScheme() == Qt.ColorScheme.Dark)
+    dark = mode == "dark" or (mode == "system" and system_is_dark())
     QApplication.setPalette(_palette(dark=dark))
     QApplication.instance().setStyleSheet(_SHEET)
+
+
+def system_is_dark() -> bool:
+    """Whether the desktop asks for dark windows."""
+    return QGuiApplication.styleHints().colorScheme() == Qt.ColorScheme.Dark
 
 
 def current_theme() -> Theme:

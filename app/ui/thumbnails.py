@@ -1,25 +1,23 @@
-"""Small pictures of models, drawn when the window is idle and kept in the cache."""
+"""Small pictures of models, drawn beside the window and kept in the cache."""
 
 import hashlib
 import logging
+from collections.abc import Iterator
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Qt, QTimer
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QObject, QTimer
 
-from app.export.pictures import PictureError, grid_picture, save_picture
+from app.export.pictures import PictureError, save_picture
+from app.export.sketch import sketch_picture
 from app.folders import cache_folder
-from app.scene.panes import Look, Pane
-from app.session import Session
+from app.session import Job, Session
 from app.session.documents import Documents
 from core.mesh import TriangleMesh
 
 logger = logging.getLogger(__name__)
 
-_SIZE = (196, 148)
-_FRAME = 2
+_SIZE = (224, 168)
 _IDLE_MS = 1500
-_MOST_FACES = 400_000
 
 
 def thumbnail(model: str) -> Path:
@@ -29,11 +27,8 @@ def thumbnail(model: str) -> Path:
 
 
 def draw_thumbnail(mesh: TriangleMesh, files: list[Path]) -> None:
-    """Draw a mesh into files; what cannot be written is left out."""
-    points = (mesh.vertices - mesh.vertices.mean(axis=0)).astype("float32")
-    pane = Pane("original", "", "", "#808080", points)
-    picture = grid_picture([pane], Look(mesh.faces), None, _SIZE, transparent=True)
-    picture = picture[_FRAME:-_FRAME, _FRAME:-_FRAME]
+    """Draw a mesh into files, on any thread; what cannot be written is left out."""
+    picture = sketch_picture(mesh, _SIZE)
     for file in files:
         try:
             file.parent.mkdir(parents=True, exist_ok=True)
@@ -43,7 +38,7 @@ def draw_thumbnail(mesh: TriangleMesh, files: list[Path]) -> None:
 
 
 class Thumbnailer(QObject):
-    """Draws the model that is open, once, when nothing else is to do.
+    """Draws the model that is open, once, beside the window when nothing else is to do.
 
     Parameters
     ----------
@@ -80,13 +75,13 @@ class Thumbnailer(QObject):
         meshes, missing = self._session.meshes, self._missing()
         if meshes is None or self._session.activity is not None or not missing:
             return
-        if QApplication.mouseButtons() != Qt.MouseButton.NoButton:
-            self._timer.start()
-            return
         self._drawn.update(missing)
         mesh = meshes.comparison.original
-        if len(mesh.faces) <= _MOST_FACES:
-            draw_thumbnail(mesh, missing)
+
+        def steps() -> Iterator[None]:
+            yield draw_thumbnail(mesh, missing)
+
+        self._session.jobs.start(Job(steps(), title="Small picture of the model"))
 
 
 def _has_picture(model: str) -> bool:

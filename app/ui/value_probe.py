@@ -7,6 +7,8 @@ from vtkmodules.vtkRenderingCore import vtkWorldPointPicker
 
 from app.scene.panes import Look, Pane
 from app.ui.controls import Coalesced
+from app.ui.desk import Desk
+from app.ui.stage import Stage, device_place, share_of
 from app.ui.viewport import Viewport
 
 _INTERVAL_MS = 60
@@ -16,28 +18,24 @@ _FAR = 0.999999
 class ValueProbe(QObject):
     """Tells what is under the cursor; `changed` carries a line of text, empty over nothing.
 
-    The depth of the pixel that is already drawn gives the point, so that nothing is searched but
-    the nearest vertex: moving the mouse over a large mesh costs next to nothing.
-
     Parameters
     ----------
-    viewport : Viewport
-        Where the cursor moves.
+    desk : Desk
+        The tab over whose drawing area the cursor moves.
     """
 
     changed = Signal(str)
 
-    def __init__(self, viewport: Viewport) -> None:
-        super().__init__(viewport)
-        self._viewport = viewport
+    def __init__(self, desk: Desk) -> None:
+        super().__init__(desk)
+        self._desk, self._area = desk, desk.stage.interactor
         self._place: QPointF | None = None
         self._text = ""
-        self._picker = vtkWorldPointPicker()
         self._soon = Coalesced(self._look, _INTERVAL_MS, self)
-        viewport.interactor.installEventFilter(self)
+        self._area.installEventFilter(self)
 
     def eventFilter(self, _: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Leave:
+        if event.type() in {QEvent.Type.Leave, QEvent.Type.Hide}:
             self._tell("")
             self._place = None
         elif isinstance(event, QMouseEvent) and event.type() == QEvent.Type.MouseMove:
@@ -47,28 +45,39 @@ class ValueProbe(QObject):
         return False
 
     def _look(self) -> None:
-        if self._place is not None and self._viewport.isVisible():
-            self._tell(self.text_at(self._place))
-
-    def text_at(self, place: QPointF) -> str:
-        """Describe what is seen at a place of the viewport."""
-        grid = self._viewport.grid
-        share = self._viewport.share(place)
-        pane, seen = grid.pane_at(*share), grid.mesh_at(*share)
-        if pane is None or seen is None:
-            return ""
-        x, y = self._viewport.device(place)
-        window = self._viewport.interactor.render_window
-        if window.GetZbufferDataAtPoint(int(x), int(y)) > _FAR:
-            return ""
-        self._picker.Pick(x, y, 0, grid.renderer(pane))
-        shown = next(p for p in grid.panes if p.id == seen)
-        return description(shown, grid.look, np.array(self._picker.GetPickPosition()))
+        if self._place is not None and self._area.isVisible():
+            self._tell(self._desk.describe(self._place))
 
     def _tell(self, text: str) -> None:
         if text != self._text:
             self._text = text
             self.changed.emit(text)
+
+
+def point_under(stage: Stage, place: QPointF) -> np.ndarray | None:
+    """Point of an opaque surface that is seen at a place, None where nothing is.
+
+    The depth of the pixel that is already drawn gives the point, so that nothing is searched:
+    moving the mouse over a large mesh costs next to nothing.
+    """
+    view = stage.view_at(*share_of(stage, place))
+    x, y = device_place(stage, place)
+    window = stage.interactor.render_window
+    if view is None or window.GetZbufferDataAtPoint(int(x), int(y)) > _FAR:
+        return None
+    picker = vtkWorldPointPicker()
+    picker.Pick(x, y, 0, view.renderer)
+    return np.array(picker.GetPickPosition())
+
+
+def text_at(viewport: Viewport, place: QPointF) -> str:
+    """Describe what is seen at a place of the viewport of the Denoise tab."""
+    grid = viewport.grid
+    seen, point = grid.mesh_at(*share_of(viewport, place)), point_under(viewport, place)
+    if seen is None or point is None:
+        return ""
+    shown = next(pane for pane in grid.panes if pane.id == seen)
+    return description(shown, grid.look, point)
 
 
 def description(pane: Pane, look: Look, point: np.ndarray) -> str:

@@ -9,16 +9,16 @@ from PySide6.QtGui import QActionGroup
 from PySide6.QtWidgets import QMenu
 
 from app.scene.camera import PRESETS
-from app.ui.actions import ActionBook
+from app.ui.action_book import ActionBook
+from app.ui.actions import COLOURS
 from app.ui.cameras import Cameras
 from app.ui.colour_bar_dialog import ColourBarDialog
-from app.ui.comparing import Flicker, SwipeLine
 from app.ui.montage_dialog import MontageDialog
 from app.ui.palette import CommandPalette
 from app.ui.preferences import open_preferences
 from app.ui.shortcut_sheet import ShortcutSheet
 from app.ui.shortcuts import Shortcuts
-from app.ui.value_probe import ValueProbe
+from app.ui.tab_commands import TabCommands
 
 _HEAT_MAP = "vertex_rms"
 
@@ -36,6 +36,7 @@ class ViewCommands(QObject):
         super().__init__(window)
         self._window = window
         self.cameras = Cameras(window)
+        self.tabs = TabCommands(window)
 
     def handlers(self) -> dict[str, Callable[..., None]]:
         """What each command does, by id."""
@@ -43,50 +44,54 @@ class ViewCommands(QObject):
             f"look_{key}": partial(self.cameras.look_from, name)
             for key, name in enumerate(PRESETS, start=1)
         }
-        return looks | {
-            "copy_camera": self.cameras.copy,
-            "paste_camera": self.cameras.paste,
-            "save_camera": self.cameras.ask_for_name,
-            "flicker": self._start_flicker,
-            "swipe": self._set_swipe,
-            "difference": self._show_difference,
-            "colour_bar": lambda: ColourBarDialog.open_for(self._window),
-            "figure": lambda: MontageDialog.open_for(self._window),
-            "palette": lambda: CommandPalette(self._window).show(),
-            "shortcuts": self._show_shortcuts,
-        }
+        colours = {f"colour_{id_}": partial(self._colour_by, id_) for id_ in COLOURS}
+        return (
+            looks
+            | colours
+            | self.tabs.handlers()
+            | {
+                "smooth_shading": partial(self._set, "smooth_shading", "Shading"),
+                "edges": partial(self._set, "edges", "Edges"),
+                "link": partial(self._set, "linked", "Link cameras"),
+                "reset_view": partial(self.cameras.look_from, "Oblique"),
+                "copy_camera": self.cameras.copy,
+                "paste_camera": self.cameras.paste,
+                "save_camera": self.cameras.ask_for_name,
+                "difference": lambda on: self._colour_by(_HEAT_MAP if on else "none"),
+                "colour_bar": lambda: ColourBarDialog.open_for(self._window),
+                "figure": lambda: MontageDialog.open_for(self._window),
+                "palette": lambda: CommandPalette(self._window).show(),
+                "shortcuts": self._show_shortcuts,
+            }
+        )
 
     def attach(self, book: ActionBook) -> None:
         """Tie the commands to their actions, once these are there."""
         window = self._window
         self._book = book
         self.shortcuts = Shortcuts(book)
-        self.flicker = Flicker(window.denoise, book["flicker"])
-        self.swipe = SwipeLine(window.denoise, book["swipe"])
-        self.probe = ValueProbe(window.denoise.viewport)
-        self.probe.changed.connect(window.statusBar().show_place)
+        self.tabs.attach(book)
         self._compare_with = book.menu("View/Co&mpare Panes").addMenu("&With")
         self._compare_group = QActionGroup(self._compare_with)
         window.denoise.viewport.bar_opened.connect(book["colour_bar"].trigger)
         self._camera_menu = book.menu("View/&Cameras")
-        self._panels = book.menu("View/P&anels")
-        self._panels.aboutToShow.connect(self._fill_panels)
-        window.denoise.selection_changed.connect(lambda _: self.swipe.refresh())
         window.session.study_changed.connect(lambda *_: self.refresh())
         window.session.meshes_changed.connect(self.refresh)
         self.refresh()
 
     def refresh(self) -> None:
         """Show the study in the menus."""
-        session = self._window.session
+        view = self._window.session.study.view
         self._fill_compare_with()
         self.cameras.fill(self._camera_menu, first=1)
-        for command in ("figure", "flicker", "swipe", "copy_camera", "paste_camera", "save_camera"):
-            self._book[command].setEnabled(session.meshes is not None)
-        action = self._book["difference"]
-        action.blockSignals(True)
-        action.setChecked(session.study.view.colour == _HEAT_MAP)
-        action.blockSignals(False)
+        for command, on in (
+            ("smooth_shading", view.smooth_shading),
+            ("edges", view.edges),
+            ("link", view.linked),
+            ("difference", view.colour == _HEAT_MAP),
+            (f"colour_{view.colour}", True),
+        ):
+            self._book.check(command, on)
 
     def _fill_compare_with(self) -> None:
         """Offer every pane as the one to compare with."""
@@ -100,30 +105,16 @@ class ViewCommands(QObject):
             self._compare_group.addAction(action)
             action.triggered.connect(lambda *_, id_=pane.id: self._compare(id_))
 
-    def _fill_panels(self) -> None:
-        """Offer the panels of the tab that is shown."""
-        self._panels.clear()
-        tab = self._window.tabs.currentWidget()
-        for dock in getattr(tab, "docks", ()):
-            self._panels.addAction(dock.toggleViewAction())
-        if hasattr(tab, "reset_layout"):
-            self._panels.addSeparator()
-            self._panels.addAction("&Put All Back").triggered.connect(tab.reset_layout)
-
     def _compare(self, pane: str) -> None:
-        view = self._window.session.study.view.model_copy(update={"compare_with": pane})
-        self._window.change_view("Compare with", view)
-        self.swipe.refresh()
+        self._set("compare_with", "Compare with", pane)
+        self.tabs.follow_swipe()
 
-    def _start_flicker(self) -> None:
-        self.flicker.start()
+    def _set(self, name: str, step: str, value: object) -> None:
+        view = self._window.session.study.view.model_copy(update={name: value})
+        self._window.change_view(step, view)
 
-    def _set_swipe(self, on: bool) -> None:
-        self.swipe.set_on(on)
-
-    def _show_difference(self, on: bool) -> None:
-        view = self._window.session.study.view.coloured_by(_HEAT_MAP if on else "none")
-        self._window.change_view("Colour by", view)
+    def _colour_by(self, metric: str) -> None:
+        self._window.change_view("Colour by", self._window.session.study.view.coloured_by(metric))
 
     def _show_shortcuts(self) -> None:
         change = partial(open_preferences, self._window, "Keyboard")

@@ -2,30 +2,17 @@
 
 import time
 
-import numpy as np
-from PySide6.QtCore import (
-    QEvent,
-    QPoint,
-    QPointF,
-    QRect,
-    QSize,
-    Qt,
-    QTimer,
-    QVariantAnimation,
-    Signal,
-)
+from PySide6.QtCore import QEvent, QPoint, QPointF, QSize, QTimer, Signal
 from PySide6.QtGui import QMouseEvent, QResizeEvent
-from PySide6.QtWidgets import QRubberBand, QVBoxLayout, QWidget
-from vtkmodules.vtkRenderingCore import vtkCellPicker
+from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from app.scene.camera import CameraPose, pan_and_dolly, point_on_focal_plane
+from app.scene.camera import CameraPose
 from app.scene.grid import GRID_SHAPE, PaneGrid
 from app.scene.panes import Look, Pane
 from app.ui.interactor import Interactor
+from app.ui.stage import View, share_of
 
 _CLICK_PIXELS = 4
-_FLY_MS = 180
-_FLY_FACTOR = 1.8
 
 
 class Viewport(QWidget):
@@ -35,11 +22,9 @@ class Viewport(QWidget):
     -------
     selected(str) : the pane that was clicked.
     bar_opened() : the colour bar was double-clicked.
-    box_zoom_ended() : the rectangle of a box zoom was drawn or given up.
     """
 
     selected = Signal(str)
-    box_zoom_ended = Signal()
     bar_opened = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -53,9 +38,6 @@ class Viewport(QWidget):
         self._panes: list[Pane] = []
         self._look: Look | None = None
         self._pressed: QPoint | None = None
-        self._box_zoom = False
-        self._band = QRubberBand(QRubberBand.Shape.Rectangle, self.interactor)
-        self._flight: QVariantAnimation | None = None
         self.draw_seconds = 0.0
         self._draw_started = 0.0
         window = self.interactor.render_window
@@ -109,38 +91,21 @@ class Viewport(QWidget):
         self.grid.enlarged = None if self.grid.enlarged else pane
         self.redraw()
 
-    def start_box_zoom(self, on: bool) -> None:
-        """Let the next drag draw a rectangle to zoom into."""
-        self._box_zoom = on
-        shape = Qt.CursorShape.CrossCursor if on else Qt.CursorShape.ArrowCursor
-        self.interactor.setCursor(shape)
+    def camera_moved(self) -> None:
+        """Draw what is seen after a camera was moved."""
+        self.interactor.update()
 
-    def fly_to_cursor(self) -> None:
-        """Fly to the point of the surface under the cursor, in all linked panes at once."""
-        cursor = self.interactor.mapFromGlobal(self.cursor().pos())
-        pane = self._pane_at(cursor)
-        if pane is None:
-            return
-        picker = vtkCellPicker()
-        x, y = self.device(QPointF(cursor))
-        if picker.Pick(x, y, 0, self.grid.renderer(pane)):
-            self._fly(pane, picker.GetPickPosition())
+    def view_at(self, x: float, y: float) -> View | None:
+        """Return the view at a point, in shares of the widget from its lower left corner."""
+        pane = self.grid.pane_at(x, y)
+        return View(self.grid.renderer(pane), self.grid.viewports[pane]) if pane else None
 
     def share(self, point: QPointF) -> tuple[float, float]:
         """Turn a point of the widget into shares of its size from the lower left corner."""
-        size = self.interactor.size()
-        return point.x() / max(size.width(), 1), 1 - point.y() / max(size.height(), 1)
-
-    def device(self, point: QPointF) -> tuple[float, float]:
-        """Turn a point of the widget into device pixels from the lower left corner."""
-        width, height = self.pixel_size()
-        x, y = self.share(point)
-        return x * width, y * height
+        return share_of(self, point)
 
     def close_interactor(self) -> None:
         """Release the graphics; the widget cannot be used any more."""
-        if self._flight:
-            self._flight.stop()
         self.interactor.removeEventFilter(self)
         self.interactor.close()
 
@@ -154,7 +119,6 @@ class Viewport(QWidget):
             return False
         handlers = {
             QEvent.Type.MouseButtonPress: self._press,
-            QEvent.Type.MouseMove: self._drag,
             QEvent.Type.MouseButtonRelease: self._release,
             QEvent.Type.MouseButtonDblClick: self._double_click,
         }
@@ -163,27 +127,12 @@ class Viewport(QWidget):
 
     def _press(self, event: QMouseEvent) -> bool:
         self._pressed = event.position().toPoint()
-        if self._box_zoom:
-            self._band.setGeometry(QRect(self._pressed, QSize()))
-            self._band.show()
-        return self._box_zoom
-
-    def _drag(self, event: QMouseEvent) -> bool:
-        if self._box_zoom and self._pressed is not None:
-            corner = event.position().toPoint()
-            self._band.setGeometry(QRect(self._pressed, corner).normalized())
-        return self._box_zoom
+        return False
 
     def _release(self, event: QMouseEvent) -> bool:
         pressed, self._pressed = self._pressed, None
         if pressed is None:
             return False
-        if self._box_zoom:
-            self._band.hide()
-            self._zoom_into(QRect(pressed, event.position().toPoint()).normalized())
-            self.start_box_zoom(False)
-            self.box_zoom_ended.emit()
-            return True
         moved = (event.position().toPoint() - pressed).manhattanLength()
         pane = self._pane_at(pressed)
         if moved < _CLICK_PIXELS and pane:
@@ -207,35 +156,3 @@ class Viewport(QWidget):
 
     def _pane_at(self, point: QPoint) -> str | None:
         return self.grid.pane_at(*self.share(QPointF(point)))
-
-    def _zoom_into(self, box: QRect) -> None:
-        """Move the camera so that a rectangle of one pane fills it."""
-        pane = self._pane_at(box.center())
-        if pane is None or min(box.width(), box.height()) < _CLICK_PIXELS:
-            return
-        left, top, width, height = self.grid.viewports[pane].pixels(
-            self.interactor.width(), self.interactor.height()
-        )
-        x = 2 * (box.center().x() - left) / width - 1
-        y = 1 - 2 * (box.center().y() - top) / height
-        camera = self.grid.renderer(pane).GetActiveCamera()
-        target = point_on_focal_plane(camera, x, y, width / height)
-        pan_and_dolly(camera, target, min(width / box.width(), height / box.height()))
-        self.interactor.update()
-
-    def _fly(self, pane: str, target: tuple[float, float, float]) -> None:
-        """Approach a point in a few frames."""
-        camera = self.grid.renderer(pane).GetActiveCamera()
-        start = np.array(camera.GetFocalPoint())
-        reached = 0.0
-
-        def advance(share: float) -> None:
-            nonlocal reached
-            point = start + (np.array(target) - start) * share
-            pan_and_dolly(camera, point, _FLY_FACTOR ** (share - reached))
-            reached = share
-            self.interactor.update()
-
-        self._flight = QVariantAnimation(self, startValue=0.0, endValue=1.0, duration=_FLY_MS)
-        self._flight.valueChanged.connect(advance)
-        self._flight.start()

@@ -7,9 +7,9 @@ from PySide6.QtWidgets import QDialog
 
 from app.scene.colours import DARK, LIGHT
 from app.session import Session
-from app.ui.skeleton_export import FilmProgress, draw_picture, film
+from app.ui.screenshot_dialog import Request, ScreenshotDialog
+from app.ui.skeleton_export import film
 from app.ui.skeleton_film_dialog import FilmDialog, FilmRequest
-from app.ui.skeleton_picture_dialog import PictureDialog, PictureRequest
 from app.ui.skeleton_tab import SkeletonTab
 from app.ui.tasks import Poster
 from core.io import save_mesh
@@ -228,21 +228,23 @@ def test_loops_stand_beside_the_genus(tab):
 
 
 def test_a_dark_theme_changes_the_ground(qtbot, tab, settle):
-    light = draw_picture(tab, PictureRequest())
+    size = tab.viewport.pixel_size()
+    light = tab.desk.picture(Request("grid", 1, transparent=False), size)
     tab.set_theme(DARK)
     settle()
-    dark = draw_picture(tab, PictureRequest())
+    dark = tab.desk.picture(Request("grid", 1, transparent=False), size)
     assert dark[-4, 4].mean() < light[-4, 4].mean() - 80
 
 
 def test_pictures_have_the_size_that_the_dialog_says(qtbot, tab):
     width, height = tab.viewport.pixel_size()
-    picture = draw_picture(tab, PictureRequest(2, transparent=True, selected_only=True))
+    size = tab.desk.subjects()["pane"].size
+    picture = tab.desk.picture(Request("pane", 2, transparent=True), size)
     assert picture.shape == (2 * height, 2 * (width // 2), 4)
 
 
 def test_the_dialogs_ask_for_what_is_chosen(qtbot, tab):
-    pictures = PictureDialog(tab, (800, 400), 2)
+    pictures = ScreenshotDialog(tab, {"grid": ("Both views", (800, 400))})
     pictures.scale.setValue(3)
     assert "2,400 × 1,200" in pictures.size_label.text()
     films = FilmDialog(tab)
@@ -261,12 +263,14 @@ def test_films_are_written_beside_the_window(qtbot, tab, tmp_path, subject, suff
     assert path.stat().st_size > 1000
 
 
-def test_a_film_can_be_given_up(qtbot, tab, tmp_path):
-    path = tmp_path / "film.gif"
-    progress: FilmProgress = film(tab, FilmRequest("turn", ".gif", 50, 5.0), path)
-    qtbot.waitUntil(lambda: progress.value() > 0, timeout=LONG)
-    progress.canceled.emit()
+def test_a_film_is_among_what_runs_and_can_be_cancelled(qtbot, tab, tmp_path):
+    path, tasks = tmp_path / "film.gif", tab.session.tasks
+    film(tab, FilmRequest("turn", ".gif", 50, 5.0), path)
+    qtbot.waitUntil(lambda: tasks.states()[-1].share > 0, timeout=LONG)
+    assert tasks.states()[-1].title == "Writing film.gif"
+    tasks.cancel_all()
     assert not path.exists()
+    assert not tasks.states()
 
 
 def test_an_unchanged_view_keeps_its_pixels(qtbot, tab, settle):

@@ -5,7 +5,7 @@ from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QGuiApplication, QMouseEvent
 
 from app.scene.colours import DARK, LIGHT
-from app.ui import statistics_tab, statistics_tools
+from app.ui import statistics_tools
 from app.ui.statistics_saving import copy_numbers, save_cell
 from app.ui.statistics_tab import StatisticsTab
 from core.io import save_mesh
@@ -100,7 +100,7 @@ def test_hovering_a_degree_lights_its_vertices(tab, point_at):
     point_at("clustering", 6, 0.4)
     assert lit(tab) == [150]
     assert "degree 6" not in tab.plots["degree"].words.text()
-    tab._on_pointed(None)
+    tab.lights.point(None)
     assert lit(tab) == [0]
 
 
@@ -120,7 +120,7 @@ def test_spectrum_is_read_off_without_lighting(tab, point_at):
 def test_picked_vertex_gives_distances(qtbot, tab, point_at):
     point_at("geodesic", 4, 0.01)
     assert "Click the model" in tab.plots["geodesic"].words.text()
-    tab._on_pointed(None)
+    tab.lights.point(None)
     tab._pick(0, 7)
     qtbot.waitUntil(lambda: tab.work.distances(0) is not None)
     assert tab.side.colour.currentData() == "distance"
@@ -173,9 +173,9 @@ def test_second_model_from_the_session(qtbot, tab, choice, name):
     assert second.geodesic is not first.geodesic
 
 
-def test_second_model_that_is_not_there_is_told(qtbot, tab, monkeypatch):
+def test_second_model_that_is_not_there_is_told(qtbot, session, tab):
     told = []
-    monkeypatch.setattr(statistics_tab, "tell", lambda _, message: told.append(message))
+    session.failed.connect(told.append)
     tab.second.choose("gone.ply")
     qtbot.waitUntil(lambda: bool(told))
     assert "gone.ply" in told[0]
@@ -215,7 +215,7 @@ def test_cancel_and_go_on(qtbot, session, tab, tmp_path):
     save_mesh(primitives.sphere(5), path)
     tab.second.choose(str(path))
     qtbot.waitUntil(lambda: len(tab.work.models) == 2 and tab.work.activity is not None)
-    tab.side.stop.click()
+    session.cancel()
     qtbot.waitUntil(lambda: tab.work.activity is None, timeout=20_000)
     assert tab.side.go_on.isVisible()
     assert tab.work.cancelled

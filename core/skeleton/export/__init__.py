@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 from core.skeleton.export import as_csv, as_graphml, as_json, as_obj, as_swc
 from core.skeleton.graph import GraphError, SkeletalGraph
+from core.whole_files import write_atomically
 
 
 class Format(NamedTuple):
@@ -59,7 +60,7 @@ def write_graph(graph: SkeletalGraph, path: str | Path) -> None:
     """
     path = Path(path)
     text = _format(path).to_text(graph)
-    path.write_text(text, encoding="utf-8")
+    write_atomically(path, text.encode())
 
 
 def read_graph(path: str | Path) -> SkeletalGraph:

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.image import imread
 from PIL import Image
 
@@ -110,3 +111,30 @@ def test_a_wrong_suffix_or_place_is_one_sentence(tmp_path):
         save_montage(figure, tmp_path / "f.gif")
     with pytest.raises(PictureError, match=r"cannot be written: No such file"):
         save_montage(figure, tmp_path / "no" / "f.png")
+
+
+def test_a_caption_that_does_not_fit_is_wrapped_below_its_picture():
+    words = "Bilateral filter of the noisy cow after twelve iterations, seen from the left"
+    long = replace(MONTAGE, cells=(*CELLS[:3], Cell("median", words)))
+    layout = montage_layout(long, with_bar=False)
+    lines = long.caption_lines(3, layout.cell_width)
+    assert " ".join(lines) == f"(d) {words}"
+    assert len(lines) > 2
+    assert long.caption_lines(0, layout.cell_width) == ["(a) Original"]
+    plain = montage_layout(MONTAGE, with_bar=False)
+    assert layout.height > plain.height
+
+    figure = montage_figure(long, SOURCE)
+    canvas = FigureCanvasAgg(figure)
+    text = next(text for text in figure.texts if text.get_text().startswith("(d)"))
+    box = text.get_window_extent(canvas.get_renderer())
+    left, _, wide, _ = (length * 60 / 2.54 for length in layout.cell(long, 3))
+    assert left - 3 <= box.x0
+    assert box.x1 <= left + wide + 3
+    assert box.y0 >= 0
+
+
+def test_a_word_wider_than_its_picture_is_parted():
+    lines = replace(MONTAGE, cells=(Cell("mean", "x" * 80),)).caption_lines(0, 2.0)
+    assert len(lines) > 3
+    assert "".join(lines).endswith("x" * 80)

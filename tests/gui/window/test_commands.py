@@ -202,3 +202,33 @@ def test_panels_come_back_where_they_were_after_a_restart(user, ball_file, qtbot
 def test_text_in_the_panes_is_scaled_once(user, ball_file):
     user.open(ball_file)
     assert user.denoise.viewport.interactor.render_window.GetDPI() == 72
+
+
+def test_every_entry_but_those_of_the_study_and_the_files_is_declared(user, ball_file):
+    user.open(ball_file)
+    declared = {command.id for command in COMMANDS}
+    changing = {"With", "Cameras", "Forget", "Open Recent"}
+    for entry in entries(user.window):
+        assert entry.action.objectName() in declared or changing & set(entry.menus), entry.path
+
+
+@pytest.mark.parametrize(
+    ("command", "key"),
+    [("theme_dark", "F7"), ("colour_normal_angle", "F8"), ("panel_Methods", "F9")],
+)
+def test_choices_and_panels_can_have_keys(user, ball_file, command, key):
+    user.open(ball_file)
+    page = keyboard_page(user)
+    page.table.tree.setCurrentItem(page.table.items[command])
+    page.editor.setKeySequence(QKeySequence(key))
+    page.window().close()
+    before = user.window.actions_[command].isChecked()
+    user.press(getattr(Qt.Key, f"Key_{key}"))
+    assert user.window.actions_[command].isChecked() is not before
+
+
+def test_a_sample_opens_from_the_palette(user, qtbot):
+    dialog = palette(user)
+    qtbot.keyClicks(dialog.line, "double torus")
+    qtbot.keyClick(dialog.line, Qt.Key.Key_Return)
+    user.wait(lambda: user.window.windowTitle().startswith("double_torus"))

@@ -100,7 +100,7 @@ def test_the_value_under_the_cursor_stands_in_the_status_bar(user, ball_file, qt
 
 def test_a_face_is_named_where_faces_have_values(user, ball_file):
     user.open(ball_file)
-    user.window._set_colour("normal_angle")
+    user.window.actions_["colour_normal_angle"].trigger()
     user.rest()
     panes, look = user.denoise.panes()
     for face in (0, 17, 1000):

@@ -2,6 +2,7 @@
 
 import logging
 import threading
+from urllib.error import URLError
 
 import pytest
 from PySide6.QtCore import QSettings, Qt, qWarning
@@ -235,3 +236,46 @@ def test_a_name_with_an_ampersand_stands_in_the_undo_step_as_it_is(user, ball_fi
     user.open(ball_file)
     user.open(odd)
     assert user.window.actions_["undo"].text() == "&Undo Open R&&D.ply"
+
+
+@pytest.mark.parametrize(
+    ("error", "words"),
+    [
+        (URLError("Name or service not known"), "there is no connection to github.com"),
+        (TimeoutError("timed out"), "github.com did not answer in time"),
+        (ValueError("hash does not match"), "hash does not match."),
+    ],
+)
+def test_every_kind_of_failed_download_is_one_sentence(monkeypatch, error, words):
+    from pyvista import examples
+
+    def fail(load):
+        raise error
+
+    monkeypatch.setattr(examples, "download_cow", fail)
+    with pytest.raises(downloads.DownloadError, match=words):
+        downloads.download("cow")
+
+
+def test_a_download_that_was_cancelled_opens_nothing(user, ball_file, tmp_path, monkeypatch):
+    user.open(ball_file)
+    begun, go_on = threading.Event(), threading.Event()
+    (tmp_path / "cow.ply").write_bytes(ball_file.read_bytes())
+
+    def download(example):
+        begun.set()
+        go_on.wait(20)
+        return str(tmp_path / f"{example}.ply")
+
+    monkeypatch.setattr(downloads, "download", download)
+    dialog = gallery(user)
+    item = dialog.examples.findItems("Cow", Qt.MatchFlag.MatchExactly)[0]
+    dialog.examples.itemActivated.emit(item)
+    user.wait(begun.is_set)
+    user.window.session.cancel()
+    assert dialog.message.text() == "The download was cancelled."
+    assert dialog.examples.isEnabled()
+    go_on.set()
+    user.wait(lambda: "Downloaded to" in user.window.statusBar().currentMessage())
+    assert user.window.windowTitle().startswith("ball.ply")
+    dialog.close()

@@ -89,3 +89,109 @@ def test_every_step_is_named_and_comes_back_without_being_computed(
         assert session.study == study
     user.rest()
     assert len(computed) == done
+
+
+def changes_of_the_skeleton(tab):
+    """Change what the Skeleton tab keeps in the study; yields the name of each step."""
+    bar = tab.centre.resolutions[0]
+    bar.slider.setValue(9)
+    yield None
+    tab.side.layers.layers["show_curves"].click()
+    yield None
+    tab.side.compare.click()
+    yield "Compare views"
+
+
+def changes_of_the_statistics(tab):
+    """Change what the Statistics tab keeps in the study; yields the name of each step."""
+    side = tab.side
+    side.colour.setCurrentIndex(side.colour.findData("degree"))
+    yield "Colour of the models"
+    side.matrix.setCurrentIndex(1)
+    yield "Spectrum"
+    side.relative.click()
+    yield "Unit of the distances"
+    side.geodesic.set_values({"sources": 20})
+    side.geodesic.changed.emit({"sources": 20})
+    yield "Geodesic distances"
+    side.second.activated.emit(side.second.findData("noisy"))
+    yield "Second model"
+
+
+def counts(tab):
+    """Nodes and arcs of the graphs that are shown, and the texts above them."""
+    panes, _ = tab.panes(1.0)
+    return [(pane.title, pane.caption) for pane in panes]
+
+
+def test_steps_of_the_skeleton_tab_bring_graphs_and_numbers_back(user, ball_file):
+    user.open(ball_file)
+    user.press(Qt.Key.Key_2, CONTROL)
+    tab, session = user.window.skeleton, user.window.session
+    undo = user.window.actions_["undo"]
+
+    def rest():
+        user.wait(lambda: tab.views.is_settled and all(map(tab.views.skeleton, tab.views.shown)))
+
+    rest()
+    seen = [(session.study, counts(tab))]
+    for name in changes_of_the_skeleton(tab):
+        user.wait(lambda: session.study != seen[-1][0])
+        rest()
+        assert undo.text().startswith("&Undo ")
+        assert name is None or undo.text() == f"&Undo {name}"
+        seen.append((session.study, counts(tab)))
+    assert seen[0][1] != seen[1][1]
+    for study, shown in reversed(seen[:-1]):
+        user.press(Qt.Key.Key_Z, CONTROL)
+        assert session.study == study
+        rest()
+        user.wait(lambda shown=shown: counts(tab) == shown)
+    assert not undo.isEnabled()
+    for study, shown in seen[1:]:
+        user.press(Qt.Key.Key_Z, CONTROL | SHIFT)
+        assert session.study == study
+        rest()
+        user.wait(lambda shown=shown: counts(tab) == shown)
+
+
+def numbers(tab):
+    """What panel, plots and models of the statistics show."""
+    series = tab.work.series()
+    side = tab.side
+    return (
+        side.settings(),
+        side.second.currentData(),
+        [one.name for one in series],
+        [one.relative for one in series],
+        [one.geodesic.pairs if one.geodesic else None for one in series],
+        [one.spectrum.eigenvalues.sum() if one.spectrum else None for one in series],
+    )
+
+
+def test_steps_of_the_statistics_tab_bring_plots_and_numbers_back(user, ball_file):
+    user.open(ball_file)
+    user.press(Qt.Key.Key_3, CONTROL)
+    tab, session = user.window.statistics, user.window.session
+    undo = user.window.actions_["undo"]
+
+    def rest(count):
+        user.wait(lambda: len(tab.work.series()) == count and tab.work.activity is None)
+
+    rest(1)
+    seen = [(session.study, numbers(tab))]
+    for name in changes_of_the_statistics(tab):
+        user.wait(lambda: session.study != seen[-1][0])
+        rest(1 + (session.study.statistics.second != "none"))
+        assert undo.text() == f"&Undo {name}"
+        seen.append((session.study, numbers(tab)))
+    assert len({str(shown) for _, shown in seen}) == len(seen)
+    for study, shown in reversed(seen[:-1]):
+        user.press(Qt.Key.Key_Z, CONTROL)
+        assert session.study == study
+        user.wait(lambda shown=shown: str(numbers(tab)) == str(shown))
+    assert not undo.isEnabled()
+    for study, shown in seen[1:]:
+        user.press(Qt.Key.Key_Z, CONTROL | SHIFT)
+        assert session.study == study
+        user.wait(lambda shown=shown: str(numbers(tab)) == str(shown))

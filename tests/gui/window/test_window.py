@@ -219,7 +219,7 @@ def test_fly_goes_to_the_point_under_the_cursor(user, ball_file, qtbot):
 
 def test_colouring_shows_one_bar_for_all_panes(user, ball_file):
     user.open(ball_file)
-    user.window._set_colour("normal_angle")
+    user.window.actions_["colour_normal_angle"].trigger()
     user.rest()
     panes, look = user.denoise.panes()
     assert look.colour_title.startswith("Normal angle")
@@ -266,10 +266,10 @@ def test_a_file_that_cannot_be_written_is_one_sentence(user, ball_file, tmp_path
 
 def test_dark_and_light_change_panes_and_plot(user, ball_file):
     user.open(ball_file)
-    user.window._set_mode("dark")
+    user.window.theme.choose("dark")
     user.rest()
     dark = user.denoise.panes()[1].theme
-    user.window._set_mode("light")
+    user.window.theme.choose("light")
     user.rest()
     light = user.denoise.panes()[1].theme
     assert dark.dark

@@ -1,29 +1,13 @@
-"""Menus of choices, and the toolbar."""
+"""The toolbar."""
 
-from collections.abc import Callable, Mapping
-from functools import partial
+from collections.abc import Mapping
 
-from PySide6.QtGui import QActionGroup
-from PySide6.QtWidgets import QMainWindow, QMenu, QToolButton, QWidget
+from PySide6.QtWidgets import QMainWindow, QMenu, QToolButton
 
-from app.ui.actions import TOOLBAR, ActionBook
+from app.ui.action_book import ActionBook
+from app.ui.actions import TOOLBAR
 
 _INSTANT = QToolButton.ToolButtonPopupMode.InstantPopup
-
-
-def choice_menu(
-    parent: QWidget, title: str, names: Mapping[str, str], use: Callable[..., None]
-) -> QMenu:
-    """Make a menu of which one entry is checked; each entry's data is its key."""
-    menu = QMenu(title, parent)
-    group = QActionGroup(menu)
-    for key, name in names.items():
-        action = menu.addAction(name)
-        action.setCheckable(True)
-        action.setData(key)
-        group.addAction(action)
-        action.triggered.connect(partial(use, key))
-    return menu
 
 
 def fill_toolbar(

@@ -1,0 +1,88 @@
+"""Models and plots of the statistics in a figure, as in figures 3.2–3.7 of the thesis."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from app.export.montage import SCREEN_DPI
+from app.export.montage_plan import Entry
+from app.export.pictures import Picture, unmix
+from app.export.statistics_pictures import models_shot, models_studio
+from app.export.statistics_plots import PLOTS
+from app.export.statistics_series import Series
+from app.scene.camera import CameraPose
+from app.scene.panes import Look
+from app.scene.statistics_scene import ModelPane, StatisticsScene
+
+
+@dataclass(frozen=True, eq=False)
+class StatisticsSource:
+    """The pictures that a montage can take from the Statistics tab.
+
+    Attributes
+    ----------
+    models : tuple of ModelPane
+        One model or two.
+    look : Look
+        How they are drawn.
+    series : tuple of Series
+        Their statistics.
+    pose : CameraPose
+        Where the camera stands, beside models in the unit ball.
+    """
+
+    models: tuple[ModelPane, ...]
+    look: Look
+    series: tuple[Series, ...]
+    pose: CameraPose
+
+    def entries(self) -> tuple[Entry, ...]:
+        """Return what a figure can show."""
+        models = [Entry(shown.pane.id, shown.pane.title) for shown in self.models]
+        return (*models, *(Entry(spec.id, spec.title) for spec in PLOTS.values()))
+
+    def pictures(
+        self, look: Look, chosen: Sequence[str], size: tuple[int, int], dpi: float,
+        *, transparent: bool,
+    ) -> list[Picture]:  # fmt: skip
+        """Draw some of the entries, each into a picture of `size` pixels."""
+        models = {shown.pane.id: shown for shown in self.models}
+        look = replace(look, text_scale=dpi / SCREEN_DPI)
+        with models_studio(size) as scene:
+            return [
+                self._model(scene, models[id_], look, size, transparent=transparent)
+                if id_ in models
+                else self._plot(id_, look, size, dpi, transparent=transparent)
+                for id_ in chosen
+            ]
+
+    def _model(
+        self, scene: StatisticsScene, shown: ModelPane, look: Look, size: tuple[int, int],
+        *, transparent: bool,
+    ) -> Picture:  # fmt: skip
+        bare = replace(shown, pane=replace(shown.pane, title="", caption=""))
+        scene.show([bare], look, size)
+        scene.set_pose(self.pose)
+        if not transparent:
+            return models_shot(scene, look.theme.ground, None)
+        return unmix(models_shot(scene, "black", None), models_shot(scene, "white", None))
+
+    def _plot(
+        self, plot: str, look: Look, size: tuple[int, int], dpi: float, *, transparent: bool
+    ) -> Picture:
+        inches = [(pixels + 1e-6) / dpi for pixels in size]
+        figure = Figure(figsize=(inches[0], inches[1]), dpi=dpi, layout="constrained")
+        theme = replace(look.theme, panel=look.theme.ground)
+        axes = PLOTS[plot].draw(figure, self.series, theme)
+        if transparent:
+            figure.set_facecolor("none")
+            for each in (axes, *axes.child_axes):
+                each.set_facecolor("none")
+        canvas: Any = FigureCanvasAgg(figure)
+        canvas.draw()
+        picture: Picture = np.asarray(canvas.buffer_rgba()).copy()
+        return picture if transparent else picture[..., :3]

@@ -1,0 +1,90 @@
+"""Light and dark: contrast of what can be checked, and following the system."""
+
+import pytest
+from matplotlib.colors import to_rgba
+from PySide6.QtCore import QSettings, Qt
+from PySide6.QtGui import QColor, QGuiApplication, QPalette
+from PySide6.QtWidgets import QCheckBox
+
+from app.ui.theme import current_theme
+
+LEAST_RATIO = 3.0
+TEXT_RATIO = 4.5
+
+
+def luminance(colour):
+    """Relative luminance of WCAG 2.1."""
+
+    def linear(share):
+        return share / 12.92 if share <= 0.04045 else ((share + 0.055) / 1.055) ** 2.4
+
+    parts = (linear(part) for part in colour.getRgbF()[:3])
+    return sum(weight * part for weight, part in zip((0.2126, 0.7152, 0.0722), parts, strict=True))
+
+
+def ratio(one, other):
+    low, high = sorted((luminance(one), luminance(other)))
+    return (high + 0.05) / (low + 0.05)
+
+
+def outline(check):
+    """Colour in the middle of the left edge of a check box, as it is drawn."""
+    image = check.grab().toImage()
+    scale = image.devicePixelRatio()
+    return QColor(image.pixel(0, round(check.height() * scale / 2)))
+
+
+@pytest.mark.parametrize("mode", ["light", "dark"])
+def test_an_unchecked_box_stands_out_from_the_ground(user, qtbot, mode):
+    user.window.actions_[f"theme_{mode}"].trigger()
+    box = QCheckBox(user.window)
+    box.setFixedSize(box.sizeHint())
+    box.show()
+    qtbot.wait(50)
+    for role in (QPalette.ColorRole.Window, QPalette.ColorRole.Base):
+        assert ratio(outline(box), user.window.palette().color(role)) >= LEAST_RATIO
+
+
+@pytest.mark.parametrize("mode", ["light", "dark"])
+def test_pale_text_can_be_read(user, mode):
+    user.window.actions_[f"theme_{mode}"].trigger()
+    palette = user.window.palette()
+    pale = palette.color(QPalette.ColorRole.PlaceholderText)
+    assert ratio(pale, palette.color(QPalette.ColorRole.Window)) >= TEXT_RATIO
+
+
+@pytest.fixture
+def system(monkeypatch):
+    """Let the desktop ask for a scheme; a virtual screen has no desktop, so it is played."""
+
+    def ask(scheme):
+        monkeypatch.setattr("app.ui.theme.system_is_dark", lambda: scheme == Qt.ColorScheme.Dark)
+        QGuiApplication.styleHints().colorSchemeChanged.emit(scheme)
+
+    return ask
+
+
+def test_the_window_follows_the_system_while_it_is_open(user, ball_file, system):
+    user.open(ball_file)
+    window = user.window
+    window.actions_["theme_system"].trigger()
+    seen = []
+    for scheme in (Qt.ColorScheme.Dark, Qt.ColorScheme.Light):
+        system(scheme)
+        user.rest()
+        ground = window.denoise.viewport.grid.renderer("original").GetBackground2()
+        seen.append((window.palette().window().color().lightness(), max(ground)))
+        assert window.denoise.plot.figure.get_facecolor() == to_rgba(current_theme().panel)
+        assert window.statistics.theme is current_theme()
+    assert seen[0][0] < 128 < seen[1][0]
+    assert seen[0][1] < 0.5 < seen[1][1]
+
+
+def test_a_chosen_theme_stays_whatever_the_system_says(user, system):
+    user.window.actions_["theme_dark"].trigger()
+    system(Qt.ColorScheme.Light)
+    assert current_theme().dark
+    assert QSettings().value("theme_mode") == "dark"
+    assert user.window.actions_["theme_dark"].isChecked()
+    user.window.actions_["theme_light"].trigger()
+    assert not current_theme().dark
