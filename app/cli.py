@@ -26,7 +26,7 @@ def main(arguments: list[str] | None = None) -> None:
     """Run a command; bad input ends it with status 2 and one line on standard error."""
     try:
         status = app(arguments, exit_on_error=False, print_error=False)
-    except (CycloptsError, ValueError, OSError) as error:
+    except (CycloptsError, ValueError, OSError, MemoryError) as error:
         print(f"burnish: {_one_line(error)}", file=sys.stderr)  # noqa: T201
         sys.exit(2)
     sys.exit(status or 0)
@@ -65,4 +65,6 @@ def _has_display() -> bool:
 
 
 def _one_line(error: Exception) -> str:
+    if isinstance(error, MemoryError):
+        return "There is not enough memory for that; a smaller model or fewer iterations may fit."
     return " ".join(str(error).split()) or type(error).__name__

@@ -100,6 +100,17 @@ def test_bad_input_is_one_line_and_status_2(capsys, ball_file, arguments, messag
     assert "Traceback" not in err
 
 
+def test_too_little_memory_is_one_line_and_status_2(capsys, ball_file, monkeypatch):
+    def refuse(*_, **__):
+        raise MemoryError
+
+    monkeypatch.setattr("core.comparison.run", refuse)
+    status, out, err = call(capsys, "compare", ball_file)
+    assert (status, out) == (2, "")
+    assert err.startswith("burnish: There is not enough memory")
+    assert err.count("\n") == 1
+
+
 def test_help_imports_neither_qt_nor_vtk_nor_the_kernels():
     code = (
         "import sys; from app.cli import app; app('--help', exit_on_error=False);"

@@ -81,8 +81,17 @@ def test_typed_noise_and_new_seed_change_the_noisy_mesh(qtbot, session, model, h
     assert (session.meshes.comparison.noisy.vertices != before).any()
 
 
-def test_noise_that_cannot_be_had_goes_back(qtbot, model, ball_file, hands):
+def test_noise_does_not_need_the_file_again(qtbot, session, model, ball_file, hands):
     ball_file.unlink()
+    hands.type_into(model.noise.sigma, "0.5")
+    qtbot.waitUntil(lambda: session.study.noise.sigma == 0.5, timeout=10_000)
+
+
+def test_noise_that_cannot_be_had_goes_back(qtbot, model, hands, monkeypatch):
+    def refuse(*_):
+        raise MemoryError
+
+    monkeypatch.setattr("app.session.meshes.add_noise", refuse)
     hands.type_into(model.noise.sigma, "0.5")
     qtbot.waitUntil(lambda: model.noise.sigma.value() == 0.1, timeout=10_000)
 

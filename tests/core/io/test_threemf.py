@@ -60,7 +60,7 @@ def component_tower(levels: int) -> str:
         (MESH, "<item/>", "an element of its model has no attribute 'objectid'"),
         (MESH, '<item objectid="1" transform="1 2"/>', "not well-formed"),
         ('<object id="1">{square}', "", "its model is not whole XML"),
-        ('<object id="1"><mesh><vertices><vertex x="a"/>', "", "could not convert"),
+        ('<object id="1"><mesh><vertices><vertex x="a" y="0" z="0"/>', "", "could not convert"),
         (MESH + component_tower(12), '<item objectid="13"/>', "repeated more often"),
         ('<object id="1"/>' + component_tower(12), '<item objectid="13"/>', "repeated more often"),
         (
