@@ -17,6 +17,8 @@ from app.scene.skeleton_grid import SkeletonGrid
 from app.scene.skeleton_panes import SkeletonLook, SkeletonPane
 
 _SCALE = "band / R"
+# With no-break spaces: "R = 22" stays on one line.
+_EQUALS = "\u00a0=\u00a0"
 _GROWN = (0.25, 0.5, 0.75)
 _NO_FACES = np.zeros((0, 3), np.int32)
 
@@ -119,7 +121,7 @@ def figure_panes(panes: Sequence[SkeletonPane], look: SkeletonLook) -> tuple[Fig
 def _pictures_of(pane: SkeletonPane, look: SkeletonLook, number: int) -> list[FigurePane]:
     """The graph as it is seen is chosen to begin with; the others wait unchecked."""
     assert pane.skeleton is not None
-    last, title = pane.skeleton.view.resolution, pane.title
+    last, title = pane.skeleton.view.resolution, pane.title.replace(" = ", _EQUALS)
     whole = replace(pane, picked=None)
     surface = {"show_graph": False}
     graph = {"show_bands": False, "show_curves": False, "show_shells": False, "opacity": 0.0}

@@ -24,7 +24,8 @@ def wrapped(text: str, width: float, size: float) -> list[str]:
 
 def _lines(text: str, room: float, size: float) -> list[str]:
     lines = [""]
-    for word in text.split():
+    # A no-break space keeps words together.
+    for word in filter(None, text.split(" ")):
         joined = f"{lines[-1]} {word}".strip()
         if text_width(joined, size) <= room:
             lines[-1] = joined

@@ -3,10 +3,8 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-import networkx as nx
 import numpy as np
-from scipy.spatial import cKDTree
-from scipy.spatial.transform import Rotation
+import scipy
 
 from app.session.skeleton_maker import Skeleton
 from core.arrays import FloatArray
@@ -79,7 +77,7 @@ class InvarianceReport:
 def random_motion(seed: int, size: float) -> Motion:
     """Draw a rotation, a shift of up to the model's size, a scale and a mirror plane."""
     rng = np.random.default_rng(seed)
-    rotation = Rotation.random(rng=rng)
+    rotation = scipy.spatial.transform.Rotation.random(rng=rng)
     scale = float(_LARGEST_SCALE ** rng.uniform(-1, 1))
     matrix = scale * rotation.as_matrix() @ np.diag([1.0, 1.0, -1.0])
     angle = float(np.degrees(rotation.magnitude()))
@@ -113,6 +111,8 @@ def is_same_graph(one: SkeletalGraph, other: SkeletalGraph) -> bool:
     """Whether two graphs are isomorphic with bands kept."""
     if np.array_equal(one.arcs, other.arcs) and np.array_equal(one.band, other.band):
         return True
+    import networkx as nx  # late, because its import takes a while
+
     return bool(nx.vf2pp_is_isomorphic(one.to_networkx(), other.to_networkx(), node_label="band"))
 
 
@@ -124,5 +124,5 @@ def _displacement(graph: SkeletalGraph, nodes: FloatArray) -> float:
     """Largest distance node by node, or to the nearest node where the graphs differ."""
     if len(nodes) == len(graph.nodes):
         return float(np.linalg.norm(nodes - graph.nodes, axis=1).max())
-    distances, _ = cKDTree(graph.nodes).query(nodes)
+    distances, _ = scipy.spatial.KDTree(graph.nodes).query(nodes)
     return float(np.max(distances))

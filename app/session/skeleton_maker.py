@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 from typing import TypeVar
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from core.arrays import FloatArray
 from core.fields import ScalarField, scalar_field
@@ -215,7 +215,7 @@ def sketch_of(mesh: TriangleMesh) -> Sketch | None:
     if share >= 1:
         return None
     coarse = decimated(mesh, share)
-    nearest = np.asarray(cKDTree(mesh.vertices).query(coarse.vertices)[1], np.int64)
+    nearest = np.asarray(scipy.spatial.KDTree(mesh.vertices).query(coarse.vertices)[1], np.int64)
     return Sketch(coarse, nearest)
 
 

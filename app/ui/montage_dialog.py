@@ -157,7 +157,7 @@ class MontageDialog(QDialog):
             if value is not None:
                 box.setValue(type(box.value())(float(value)))
         for name, check in (("letters", self.letters), ("bar", self.bar)):
-            check.setChecked(str(kept.value(f"{_KEPT}/{name}", "true")) == "true")
+            check.setChecked(str(kept.value(f"{_KEPT}/{name}", True)).lower() == "true")
         self.ground.setCurrentIndex(self.ground.findData(kept.value(f"{_KEPT}/ground", "white")))
 
     def _update(self, *_: object) -> None:

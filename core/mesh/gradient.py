@@ -10,14 +10,18 @@ CAUCHY_CONSTANT = 2.3849
 
 
 @parallel_kernel
-def cauchy_weights(
-    vertices: FloatArray, starts: IntArray, items: IntArray, scale: float, c: float
-) -> FloatArray:
-    """Weight g(|∇vᵢ|) = 1/(1 + |∇vᵢ|²/c²) of each vertex, (m,), with lengths times `scale`.
+def set_cauchy_weights(
+    vertices: FloatArray,
+    starts: IntArray,
+    items: IntArray,
+    scale: float,
+    c: float,
+    weights: FloatArray,
+) -> None:
+    """Note the weight g(|∇vᵢ|) = 1/(1 + |∇vᵢ|²/c²) of each vertex, (m,), with lengths × `scale`.
 
     |∇vᵢ|² = Σⱼ ‖vⱼ − vᵢ‖²/dᵢ, which does not depend on the origin.
     """
-    weights = np.empty(len(vertices))
     factor = (scale / c) ** 2
     for i in prange(len(vertices)):
         total = 0.0
@@ -27,7 +31,6 @@ def cauchy_weights(
             z = vertices[j, 2] - vertices[i, 2]
             total += x * x + y * y + z * z
         weights[i] = 1 / (1 + factor * total / max(starts[i + 1] - starts[i], 1))
-    return weights
 
 
 @parallel_kernel
@@ -39,7 +42,7 @@ def printed_cauchy_weights(
     scale: float,
     c: float,
 ) -> FloatArray:
-    """Weight g(|∇vᵢ|) as :func:`cauchy_weights`, with the gradient as printed in eq. (10).
+    """Weight g(|∇vᵢ|) as :func:`set_cauchy_weights`, with the gradient as printed in eq. (10).
 
     |∇vᵢ|² = Σⱼ ‖vᵢ/√dᵢ − vⱼ/√dⱼ‖², which depends on the origin where degrees differ; `roots` are
     the 1/√dᵢ. Both agree where all degrees are equal.

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from scipy.io import mmwrite
+import scipy
 from scipy.sparse import csr_array, diags_array, save_npz
 
 from core.arrays import FloatArray
@@ -93,4 +93,4 @@ def save_matrix(matrix: csr_array, path: str | os.PathLike[str]) -> None:
 
 
 def _write_mtx(stream: Any, matrix: csr_array) -> None:
-    mmwrite(stream, matrix, symmetry="symmetric")
+    scipy.io.mmwrite(stream, matrix, symmetry="symmetric")

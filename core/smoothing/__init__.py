@@ -79,11 +79,12 @@ def smooth(mesh: TriangleMesh, method: str, iterations: int, **params: object) -
     if iterations < 0:
         raise ParameterError(f"iterations={iterations} is not allowed; use 0 or more.")
     spec = method_spec(method)
-    guard = DivergenceGuard(mesh)
-    positions = spec.steps(mesh, build_params(spec.params, params, method))
-    vertices = mesh.vertices
+    along = mesh.along_surface()
+    guard = DivergenceGuard(along)
+    positions = spec.steps(along, build_params(spec.params, params, method))
+    vertices = along.vertices
     for iteration in range(1, iterations + 1):
         vertices = next(positions)
         if not guard.allows(vertices):
             raise DivergenceError(iteration)
-    return mesh.with_vertices(vertices)
+    return mesh.with_vertices(mesh.topology.ordering.vertices.outward(vertices))

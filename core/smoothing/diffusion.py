@@ -10,9 +10,9 @@ from core.kernels import parallel_kernel, prange, unsigned
 from core.mesh import TriangleMesh
 from core.mesh.gradient import (
     CAUCHY_CONSTANT,
-    cauchy_weights,
     inverse_roots,
     printed_cauchy_weights,
+    set_cauchy_weights,
 )
 from core.parameters import Params, param
 from core.smoothing.spec import MethodSpec
@@ -126,9 +126,9 @@ def steps(mesh: TriangleMesh, params: DiffusionParams) -> Iterator[FloatArray]:
     -----
     Departure from the thesis: as printed, one step is v − 2𝓛v where gradients are small, which
     amplifies every mode with an eigenvalue above 1, and where neighbouring degrees differ the
-    term contains the position itself. Both forms agree where all degrees are equal. The
-    invariant form commutes with moving, turning and scaling; the printed form in raw units with
-    turning about the origin only.
+    term contains the position itself. Both forms agree where all degrees are equal. Edges of
+    faces without area still make neighbours. The invariant form commutes with moving, turning and
+    scaling; the printed form in raw units with turning about the origin only.
 
     References
     ----------
@@ -140,9 +140,10 @@ def steps(mesh: TriangleMesh, params: DiffusionParams) -> Iterator[FloatArray]:
     ring = unsigned(*mesh.topology.vertex_ring)
     roots = inverse_roots(mesh.degrees)
     scale = params.gradient_scale / (mesh.mean_edge_length or 1.0)
+    weights = np.empty(len(mesh.vertices))
     vertices = mesh.vertices
     while True:
-        weights = cauchy_weights(vertices, *ring, scale, params.c)
+        set_cauchy_weights(vertices, *ring, scale, params.c, weights)
         vertices = _diffuse(vertices, *ring, roots, weights)
         yield vertices
 

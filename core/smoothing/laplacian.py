@@ -60,7 +60,8 @@ def steps(mesh: TriangleMesh, params: LaplacianParams) -> Iterator[FloatArray]:
 
     Notes
     -----
-    Shrinks the model and evens out the edge lengths. It commutes with moving, turning and scaling.
+    Shrinks the model and evens out the edge lengths. Edges of faces without area still make
+    neighbours. It commutes with moving, turning and scaling.
 
     References
     ----------

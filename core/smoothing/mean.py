@@ -7,10 +7,13 @@ import numpy as np
 from core.arrays import FloatArray, IntArray
 from core.kernels import parallel_kernel, prange, unsigned
 from core.mesh import TriangleMesh
-from core.mesh.geometry import face_vectors
 from core.parameters import Params
-from core.smoothing.normal_update import fit_vertices, set_plane
+from core.smoothing.normal_update import fit_vertices, set_areas_and_normals, set_plane
 from core.smoothing.spec import MethodSpec
+
+
+# Normals whose mean is no longer than this cancel; what is left of them is rounding.
+_CANCELLED = 1e-9
 
 
 class MeanParams(Params):
@@ -18,30 +21,29 @@ class MeanParams(Params):
 
 
 @parallel_kernel
-def mean_planes(
+def set_mean_planes(
     vertices: FloatArray,
     faces: IntArray,
-    vectors: FloatArray,
+    areas: FloatArray,
+    normals: FloatArray,
     starts: IntArray,
     items: IntArray,
-) -> tuple[FloatArray, FloatArray]:
-    """Area of each face, and its plane along the mean normal of its ring.
-
-    `vectors` are 2 A(t) n(t), so that their sum is the area-weighted mean but for its length.
-    """
-    areas, planes = np.empty(len(faces)), np.empty((len(faces), 4))
+    planes: FloatArray,
+) -> None:
+    """Note the plane of each face along the mean normal of its ring, (n, 4)."""
     for t in prange(len(faces)):
-        x = y = z = 0.0
+        x = y = z = total = 0.0
         for other in items[starts[t] : starts[t + 1]]:
-            x += vectors[other, 0]
-            y += vectors[other, 1]
-            z += vectors[other, 2]
-        own = vectors[t]
-        areas[t] = np.sqrt(own[0] * own[0] + own[1] * own[1] + own[2] * own[2]) / 2
-        if x == 0 and y == 0 and z == 0:
-            x, y, z = own[0], own[1], own[2]
+            x += areas[other] * normals[other, 0]
+            y += areas[other] * normals[other, 1]
+            z += areas[other] * normals[other, 2]
+            total += areas[other]
+        length = np.sqrt(x * x + y * y + z * z)
+        if length > _CANCELLED * total:
+            x, y, z = x / length, y / length, z / length
+        else:
+            x, y, z = normals[t, 0], normals[t, 1], normals[t, 2]
         set_plane(planes, t, vertices, faces, x, y, z)
-    return areas, planes
 
 
 def steps(mesh: TriangleMesh, params: MeanParams) -> Iterator[FloatArray]:
@@ -65,8 +67,9 @@ def steps(mesh: TriangleMesh, params: MeanParams) -> Iterator[FloatArray]:
 
     Notes
     -----
-    tᵢ* leaves out tᵢ itself, as printed. A face whose ring cancels keeps its own normal. Areas
-    and normals are those of the current positions. It commutes with moving, turning and scaling.
+    tᵢ* leaves out tᵢ itself, as printed. A face whose ring cancels, ‖m(tᵢ)‖ ≤ 10⁻⁹ before step 2,
+    keeps its own normal. A face without area counts as nothing. Areas and normals are those of
+    the current positions. It commutes with moving, turning and scaling.
 
     References
     ----------
@@ -77,10 +80,12 @@ def steps(mesh: TriangleMesh, params: MeanParams) -> Iterator[FloatArray]:
     (faces,) = unsigned(mesh.faces)
     face_ring = unsigned(*mesh.topology.face_ring)
     vertex_faces = unsigned(*mesh.topology.vertex_faces)
+    n = len(faces)
+    areas, normals, planes = np.empty(n), np.empty((n, 3)), np.empty((n, 4))
     vertices = mesh.vertices
     while True:
-        vectors = face_vectors(vertices, faces)
-        areas, planes = mean_planes(vertices, faces, vectors, *face_ring)
+        set_areas_and_normals(vertices, faces, areas, normals)
+        set_mean_planes(vertices, faces, areas, normals, *face_ring, planes)
         vertices = fit_vertices(vertices, *vertex_faces, areas, planes)
         yield vertices
 

@@ -8,7 +8,7 @@ from core.arrays import FloatArray, IntArray
 from core.kernels import kernel, parallel_kernel, prange, unsigned
 from core.mesh import TriangleMesh
 from core.parameters import Params
-from core.smoothing.normal_update import areas_and_normals, fit_vertices, set_plane
+from core.smoothing.normal_update import fit_vertices, set_areas_and_normals, set_plane
 from core.smoothing.spec import MethodSpec
 
 # Faces a thread handles before it needs new tables: enough to make the tables free, few enough to
@@ -27,22 +27,39 @@ class MedianParams(Params):
 
 
 @kernel
+def _has_normal(normals: FloatArray, t: int) -> bool:
+    return normals[t, 0] != 0 or normals[t, 1] != 0 or normals[t, 2] != 0
+
+
+@kernel
 def _fill_columns(
-    columns: FloatArray, normals: FloatArray, first: int, starts: IntArray, items: IntArray
+    columns: FloatArray,
+    counts: IntArray,
+    normals: FloatArray,
+    first: int,
+    starts: IntArray,
+    items: IntArray,
 ) -> int:
-    """Cosines of the angles between each face and its ring, a column a face; the longest ring."""
+    """Cosines of the angles between each face and its ring, a column a face; the longest ring.
+
+    A face without a normal makes no angle, so it does not count.
+    """
     height = 0
     columns[:] = _BELOW_ALL
     for column in range(min(_COLUMNS, len(normals) - first)):
         t = first + column
-        slot = 0
+        slot = count = 0
         for other in items[starts[t] : starts[t + 1]]:
-            columns[slot, column] = (
+            cosine = (
                 normals[t, 0] * normals[other, 0]
                 + normals[t, 1] * normals[other, 1]
                 + normals[t, 2] * normals[other, 2]
             )
+            if cosine != 0 or _has_normal(normals, other):
+                columns[slot, column] = cosine
+                count += 1
             slot += 1
+        counts[column] = count
         height = max(height, slot)
     return height
 
@@ -76,43 +93,47 @@ def _first_equal(column: FloatArray, value: float) -> int:
 
 
 @parallel_kernel
-def median_faces(normals: FloatArray, starts: IntArray, items: IntArray, longest: int) -> IntArray:
-    """Face of the ring of each face whose normal makes the lower median angle with its own, (n,).
+def set_median_faces(
+    normals: FloatArray, starts: IntArray, items: IntArray, longest: int, medians: IntArray
+) -> None:
+    """Note the face of each ring whose normal makes the lower median angle with its face's, (n,).
 
     A face without a ring is its own. Ascending angles are descending cosines.
     """
     n = len(normals)
-    faces = np.arange(n, dtype=np.int32)
     for block in prange((n + _BLOCK - 1) // _BLOCK):
         cosines = np.empty((longest, _COLUMNS))
         columns = np.empty((longest, _COLUMNS))
+        counts = np.empty(_COLUMNS, np.int32)
         for first in range(block * _BLOCK, min((block + 1) * _BLOCK, n), _COLUMNS):
-            height = _fill_columns(cosines, normals, first, starts, items)
+            height = _fill_columns(cosines, counts, normals, first, starts, items)
             columns[:] = cosines
             if height <= _SHORT_ROW:
                 _sort_upper_half(columns, height)
             else:
                 _sort_columns(columns[:height])
             for column in range(min(_COLUMNS, n - first)):
-                ring = items[starts[first + column] : starts[first + column + 1]]
-                if len(ring) > 0:
-                    median = columns[(len(ring) - 1) // 2, column]
-                    slot = _first_equal(cosines[: len(ring), column], median)
-                    faces[first + column] = ring[slot]
-    return faces
+                t = first + column
+                medians[t] = t
+                if counts[column] > 0:
+                    median = columns[(counts[column] - 1) // 2, column]
+                    slot = _first_equal(cosines[:height, column], median)
+                    medians[t] = items[starts[t] + slot]
 
 
 @parallel_kernel
-def turned_planes(
-    vertices: FloatArray, faces: IntArray, normals: FloatArray, sources: IntArray
-) -> FloatArray:
-    """Plane of each face along the normal of the face `sources` names for it, (n, 4)."""
-    planes = np.empty((len(faces), 4))
+def _set_turned_planes(
+    vertices: FloatArray,
+    faces: IntArray,
+    normals: FloatArray,
+    sources: IntArray,
+    planes: FloatArray,
+) -> None:
+    """Note the plane of each face along the normal of the face `sources` names for it, (n, 4)."""
     for t in prange(len(faces)):
         source = sources[t]
         x, y, z = normals[source, 0], normals[source, 1], normals[source, 2]
         set_plane(planes, t, vertices, faces, x, y, z)
-    return planes
 
 
 def steps(mesh: TriangleMesh, params: MedianParams) -> Iterator[FloatArray]:
@@ -136,8 +157,10 @@ def steps(mesh: TriangleMesh, params: MedianParams) -> Iterator[FloatArray]:
     Notes
     -----
     An even number of angles takes the lower median, so that it belongs to a real face; of faces
-    with equal angles the one with the smallest number is taken. It commutes with moving, turning
-    and scaling, and with renumbering where no two angles are equal.
+    with equal angles the first is taken, by the numbers of `mesh`, which a run along the surface
+    (:meth:`TriangleMesh.along_surface`) has chosen itself. A face without area counts as nothing.
+    It commutes with moving, turning and scaling, and with renumbering where no two angles are
+    equal.
 
     References
     ----------
@@ -149,11 +172,14 @@ def steps(mesh: TriangleMesh, params: MedianParams) -> Iterator[FloatArray]:
     face_ring = unsigned(*mesh.topology.face_ring)
     vertex_faces = unsigned(*mesh.topology.vertex_faces)
     longest = int(mesh.topology.face_ring.lengths.max(initial=1))
+    n = len(faces)
+    areas, normals, planes = np.empty(n), np.empty((n, 3)), np.empty((n, 4))
+    medians = np.empty(n, np.int32)
     vertices = mesh.vertices
     while True:
-        areas, normals = areas_and_normals(vertices, faces)
-        medians = median_faces(normals, *face_ring, longest)
-        planes = turned_planes(vertices, faces, normals, medians)
+        set_areas_and_normals(vertices, faces, areas, normals)
+        set_median_faces(normals, *face_ring, longest, medians)
+        _set_turned_planes(vertices, faces, normals, medians, planes)
         vertices = fit_vertices(vertices, *vertex_faces, areas, planes)
         yield vertices
 

@@ -43,27 +43,24 @@ def fit_vertices(
 def set_plane(
     planes: FloatArray, t: int, vertices: FloatArray, faces: IntArray, x: float, y: float, z: float
 ) -> None:
-    """Note the plane ⟨p, m⟩ = ⟨cₜ, m⟩ through the centroid of face t, with m along (x, y, z)."""
+    """Note the plane ⟨p, m⟩ = ⟨cₜ, m⟩ through the centroid of face t, with m = (x, y, z)."""
     i, j, k = faces[t, 0], faces[t, 1], faces[t, 2]
-    length = np.sqrt(x * x + y * y + z * z)
-    factor = 1 / length if length > 0 else 0.0
-    planes[t, 0], planes[t, 1], planes[t, 2] = factor * x, factor * y, factor * z
+    planes[t, 0], planes[t, 1], planes[t, 2] = x, y, z
     planes[t, 3] = (
-        planes[t, 0] * (vertices[i, 0] + vertices[j, 0] + vertices[k, 0])
-        + planes[t, 1] * (vertices[i, 1] + vertices[j, 1] + vertices[k, 1])
-        + planes[t, 2] * (vertices[i, 2] + vertices[j, 2] + vertices[k, 2])
+        x * (vertices[i, 0] + vertices[j, 0] + vertices[k, 0])
+        + y * (vertices[i, 1] + vertices[j, 1] + vertices[k, 1])
+        + z * (vertices[i, 2] + vertices[j, 2] + vertices[k, 2])
     ) / 3
 
 
 @parallel_kernel
-def areas_and_normals(vertices: FloatArray, faces: IntArray) -> tuple[FloatArray, FloatArray]:
-    """Area (n,) and unit normal (n, 3) of each face; both zero for a face without area."""
-    areas = np.empty(len(faces))
-    normals = np.empty((len(faces), 3))
+def set_areas_and_normals(
+    vertices: FloatArray, faces: IntArray, areas: FloatArray, normals: FloatArray
+) -> None:
+    """Note area (n,) and unit normal (n, 3) of each face; both zero for a face without area."""
     for t in prange(len(faces)):
         x, y, z = triangle_vector(vertices, faces[t, 0], faces[t, 1], faces[t, 2])
         length = np.sqrt(x * x + y * y + z * z)
         factor = 1 / length if length > 0 else 0.0
         areas[t] = length / 2
         normals[t, 0], normals[t, 1], normals[t, 2] = factor * x, factor * y, factor * z
-    return areas, normals

@@ -29,13 +29,12 @@ class WeightedLaplacianParams(Params):
 
 
 @parallel_kernel
-def corner_cotangents(vertices: FloatArray, faces: IntArray) -> FloatArray:
-    """Cotangent of the angle at each corner, (n, 3); 0 for a triangle without area.
+def set_cotangents(vertices: FloatArray, faces: IntArray, cotangents: FloatArray) -> None:
+    """Note the cotangent of the angle at each corner, (n, 3); 0 for a triangle without area.
 
     cot ∠(a, b) = ⟨a, b⟩/‖a × b‖, where the length of the cross product, twice the area of the
     triangle, is the same at all three corners.
     """
-    cotangents = np.empty((len(faces), 3))
     for t in prange(len(faces)):
         i, j, k = faces[t, 0], faces[t, 1], faces[t, 2]
         x, y, z = triangle_vector(vertices, i, j, k)
@@ -44,21 +43,22 @@ def corner_cotangents(vertices: FloatArray, faces: IntArray) -> FloatArray:
         cotangents[t, 0] = factor * corner_product(vertices, i, j, k)
         cotangents[t, 1] = factor * corner_product(vertices, j, k, i)
         cotangents[t, 2] = factor * corner_product(vertices, k, i, j)
-    return cotangents
 
 
 @parallel_kernel
-def edge_weights(
-    cotangents: FloatArray, starts: IntArray, corners: IntArray, clamp_negative: bool
-) -> FloatArray:
-    """Weight cot α + cot β of each edge, (e,), from the corners opposite it."""
-    weights = np.empty(len(starts) - 1)
+def set_edge_weights(
+    cotangents: FloatArray,
+    starts: IntArray,
+    corners: IntArray,
+    clamp_negative: bool,
+    weights: FloatArray,
+) -> None:
+    """Note the weight cot α + cot β of each edge, (e,), from the corners opposite it."""
     for e in prange(len(weights)):
         total = 0.0
         for corner in corners[starts[e] : starts[e + 1]]:
             total += cotangents[corner]
         weights[e] = max(total, 0.0) if clamp_negative else total
-    return weights
 
 
 @parallel_kernel
@@ -121,10 +121,11 @@ def steps(mesh: TriangleMesh, params: WeightedLaplacianParams) -> Iterator[Float
     (faces,) = unsigned(mesh.faces)
     edge_corners = unsigned(*topology.edge_corners)
     ring = unsigned(*topology.vertex_ring, topology.ring_edges)
+    cotangents, weights = np.empty((len(faces), 3)), np.empty(len(mesh.edges))
     vertices = mesh.vertices
     while True:
-        cotangents = corner_cotangents(vertices, faces).ravel()
-        weights = edge_weights(cotangents, *edge_corners, params.clamp_negative)
+        set_cotangents(vertices, faces, cotangents)
+        set_edge_weights(cotangents.ravel(), *edge_corners, params.clamp_negative, weights)
         vertices = _move_to_weighted_mean(vertices, *ring, weights, params.step)
         yield vertices
 

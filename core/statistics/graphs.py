@@ -1,8 +1,8 @@
 """Weighted graphs on the vertices, whose shortest paths stand for geodesics."""
 
 import numpy as np
+import scipy
 from scipy.sparse import csr_array
-from scipy.spatial import KDTree
 
 from core.arrays import FloatArray
 from core.mesh import TriangleMesh
@@ -28,7 +28,7 @@ def nearest_neighbour_graph(points: FloatArray, neighbours: int) -> csr_array:
     """
     m = len(points)
     k = min(neighbours + 1, m)
-    _, nearest = KDTree(points).query(points, k=np.arange(1, k + 1))
+    _, nearest = scipy.spatial.KDTree(points).query(points, k=np.arange(1, k + 1))
     pairs = np.stack([np.repeat(np.arange(m), k), nearest.ravel()], axis=1)
     pairs.sort(axis=1)
     one, other = np.unique(pairs[pairs[:, 0] != pairs[:, 1]], axis=0).T

@@ -18,7 +18,7 @@ from core.study import Study
 from core.study_files import write_study_file
 
 folder, rounds = Path(sys.argv[1]), int(sys.argv[2])
-models = [primitives.sphere(4), primitives.torus(90, 60)]
+models = [primitives.sphere(3), primitives.torus(40, 20)]
 save_mesh(primitives.sphere(4), folder / "packed.ply")
 study = Study(model=str(folder / "packed.ply"))
 longer = study.model_copy(update={"methods": study.methods * 50})
@@ -31,7 +31,9 @@ write = {
 path = folder / sys.argv[3]
 whole = []
 for turn in (0, 1):
+    started = time.monotonic()
     write(path, turn)
+    seconds = time.monotonic() - started
     whole.append(path.read_bytes())
 rng = random.Random(5)
 seen = set()
@@ -42,7 +44,7 @@ for round in range(rounds):
         while True:
             turn += 1
             write(path, turn % 2)
-    time.sleep(rng.uniform(0.0005, 0.04))
+    time.sleep(rng.uniform(0, 4 * seconds))
     os.kill(child, signal.SIGKILL)
     os.waitpid(child, 0)
     content = path.read_bytes()

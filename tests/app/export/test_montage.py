@@ -138,3 +138,9 @@ def test_a_word_wider_than_its_picture_is_parted():
     lines = replace(MONTAGE, cells=(Cell("mean", "x" * 80),)).caption_lines(0, 2.0)
     assert len(lines) > 3
     assert "".join(lines).endswith("x" * 80)
+
+
+def test_words_with_a_no_break_space_stay_together():
+    caption = "Euclidean distance, R\u00a0=\u00a022"
+    lines = replace(MONTAGE, cells=(Cell("mean", caption),)).caption_lines(0, 4.0)
+    assert lines == ["(a) Euclidean distance,", "R\u00a0=\u00a022"]

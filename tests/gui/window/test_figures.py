@@ -80,5 +80,6 @@ def test_the_settings_are_kept_for_the_next_figure(user, dialog):
     again = MontageDialog(user.window)
     assert again.montage().columns == 2
     assert not again.montage().letters
+    assert again.montage().bar
     assert again.montage().ground == "transparent"
     again.close()
