@@ -132,7 +132,7 @@ class ComparisonScene:
             return method_pane(choice, metric, self._ends[1], 0, 0.0, None)
         shown = self._session.shown_iteration(choice.method)
         error = run.errors[shown][metric.id]
-        return method_pane(choice, metric, run.positions[shown], shown, error, run.diverged)
+        return method_pane(choice, metric, run.snapshot(shown), shown, error, run.diverged)
 
     def _coloured(self, pane: Pane, comparison: Comparison) -> Pane:
         metric = self._session.study.view.colour

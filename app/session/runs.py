@@ -1,7 +1,7 @@
 """Results of smoothing runs, kept under what they were computed from."""
 
 from collections import OrderedDict
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -24,8 +24,9 @@ class Run:
     ----------
     centre : (3,) float64 ndarray
         Centroid of the original, which `positions` are relative to.
-    positions : tuple of (m, 3) float32 ndarray
-        Vertices after 0 (the noisy input), 1, 2 … iterations, relative to `centre`.
+    positions : tuple of (m, 3) float32 ndarray or None
+        Vertices after 0 (the noisy input), 1, 2 … iterations, relative to `centre`; None where
+        memory ran short. The first and the last are always there.
     errors : tuple of dict
         Each metric after 0, 1, 2 … iterations.
     seconds : tuple of float
@@ -35,7 +36,7 @@ class Run:
     """
 
     centre: FloatArray
-    positions: tuple[NDArray[np.float32], ...]
+    positions: tuple[NDArray[np.float32] | None, ...]
     errors: tuple[dict[str, float], ...]
     seconds: tuple[float, ...] = ()
     diverged: int | None = None
@@ -55,16 +56,38 @@ class Run:
     @property
     def bytes(self) -> int:
         """Memory that the snapshots take."""
-        return sum(position.nbytes for position in self.positions)
+        return sum(position.nbytes for position in self.positions if position is not None)
 
     @property
     def seconds_per_iteration(self) -> float | None:
         """Median time of an iteration, None before the first."""
         return float(np.median(self.seconds)) if self.seconds else None
 
+    def holds(self, iteration: int) -> bool:
+        """Whether the snapshot after an iteration is there."""
+        return self.positions[iteration] is not None
+
+    def nearest(self, iteration: int) -> int:
+        """Return the last iteration up to a given one whose snapshot is there."""
+        reached = min(iteration, self.computed)
+        return next(k for k in range(reached, -1, -1) if self.holds(k))
+
+    def snapshot(self, iteration: int) -> NDArray[np.float32]:
+        """Return the positions after an iteration relative to `centre`, (m, 3).
+
+        Raises
+        ------
+        LookupError
+            If memory ran short for it.
+        """
+        position = self.positions[iteration]
+        if position is None:
+            raise LookupError(f"The snapshot after iteration {iteration} is not there.")
+        return position
+
     def vertices(self, iteration: int) -> FloatArray:
         """Return the positions after an iteration in model coordinates, (m, 3)."""
-        return self.positions[iteration].astype(np.float64) + self.centre
+        return self.snapshot(iteration).astype(np.float64) + self.centre
 
     def values(self, metric: str) -> list[float]:
         """Return a metric after 0, 1, 2 … iterations."""
@@ -76,17 +99,34 @@ class Run:
         iteration = int(np.argmin(values))
         return iteration, values[iteration]
 
-    def extended(self, step: Snapshot | DivergenceError) -> "Run":
-        """Return the run with one more iteration, or with the news that it diverged."""
+    def extended(self, step: Snapshot | DivergenceError, wanted: int = 0) -> "Run":
+        """Return the run with one more iteration, or with the news that it diverged.
+
+        Of an iteration that is known, only the snapshot is taken, and only if it is `wanted`.
+        """
         if isinstance(step, DivergenceError):
             return replace(self, diverged=step.iteration)
         position = (step.vertices - self.centre).astype(np.float32)
+        if step.iteration <= self.computed:
+            return self._holding(step.iteration, position) if step.iteration == wanted else self
         return replace(
             self,
             positions=(*self.positions, position),
             errors=(*self.errors, step.errors),
             seconds=(*self.seconds, step.seconds),
         )
+
+    def thinned(self, wanted: int) -> "Run":
+        """Return the run without every other snapshot; the first, the last, and `wanted` stay."""
+        stay = {0, self.computed, wanted}
+        spare = [k for k in range(len(self.positions)) if self.holds(k) and k not in stay]
+        gone = set(spare[::2])
+        kept = (None if k in gone else position for k, position in enumerate(self.positions))
+        return replace(self, positions=tuple(kept)) if gone else self
+
+    def _holding(self, iteration: int, position: NDArray[np.float32]) -> "Run":
+        before, after = self.positions[:iteration], self.positions[iteration + 1 :]
+        return replace(self, positions=(*before, position, *after))
 
 
 class Source:
@@ -122,7 +162,8 @@ class RunStore:
     Parameters
     ----------
     budget : int
-        Memory for snapshots in bytes; runs in use are kept whatever they take.
+        Memory for snapshots in bytes. Runs in use lose snapshots when they take more, but never
+        a number.
     """
 
     def __init__(self, budget: int) -> None:
@@ -143,18 +184,37 @@ class RunStore:
         self._entries.move_to_end(key)
         return self._entries[key]
 
-    def put(self, key: RunKey, run: Run, in_use: Collection[RunKey]) -> None:
-        """Replace a run by a longer one; drop the oldest that are not in use for lack of memory."""
+    def put(self, key: RunKey, run: Run, in_use: Mapping[RunKey, int]) -> None:
+        """Replace a run by one that knows more, and make room as :meth:`trim` does."""
         if key not in self._entries:
             return
         self._entries[key] = run, self._entries[key][1]
         self._entries.move_to_end(key)
-        self.trim({key, *in_use})
+        self.trim({key: 0, **in_use})
 
-    def trim(self, in_use: Collection[RunKey]) -> None:
-        """Drop the least recently used runs that are not in use until the rest fits the budget."""
-        total = sum(run.bytes for run, _ in self._entries.values())
+    def trim(self, in_use: Mapping[RunKey, int]) -> None:
+        """Make room: runs that are not in use go first, the least recently used before others.
+
+        If that is not enough, runs in use are thinned, the largest first; the snapshot after the
+        iteration that `in_use` gives stays.
+        """
         for key in [key for key in self._entries if key not in in_use]:
-            if total <= self.budget:
+            if self._excess <= 0:
                 return
-            total -= self._entries.pop(key)[0].bytes
+            del self._entries[key]
+        while self._excess > 0 and self._thin(in_use):
+            pass
+
+    @property
+    def _excess(self) -> int:
+        return sum(run.bytes for run, _ in self._entries.values()) - self.budget
+
+    def _thin(self, in_use: Mapping[RunKey, int]) -> bool:
+        """Thin the largest run that can be; tell whether there was one."""
+        for key in sorted(self._entries, key=lambda key: -self._entries[key][0].bytes):
+            run, source = self._entries[key]
+            thinner = run.thinned(in_use[key])
+            if thinner is not run:
+                self._entries[key] = thinner, source
+                return True
+        return False

@@ -1,6 +1,6 @@
 """The one observable of the program: the current study and what has been computed for it."""
 
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from psygnal import Signal
@@ -10,11 +10,10 @@ from app.session.jobs import Job, Jobs, Post
 from app.session.merging import carried_over, sources_of
 from app.session.meshes import Meshes, MeshReader
 from app.session.running import RunningTasks
-from app.session.runs import Run, RunKey, RunStore
+from app.session.runs import Run
 from app.session.sentences import sentence_of
-from core.comparison import Snapshot
-from core.smoothing import METHODS, DivergenceError
-from core.study import SAMPLE_PREFIX, MethodChoice, Study
+from app.session.study_runs import StudyRuns
+from core.study import SAMPLE_PREFIX, Study
 
 _BUDGET = 4 * 1024**3
 
@@ -65,8 +64,10 @@ class Session:
         self.jobs = Jobs(post, self.tasks)
         self.saving = Jobs(post, self.tasks, must_finish=True)
         self._reader = MeshReader(budget)
-        self._store = RunStore(budget)
-        self._running: dict[RunKey, Job] = {}
+        self._runs = StudyRuns(self.jobs, self.report, budget)
+        self._runs.grown.connect(self.run_changed.emit)
+        self._runs.activity_changed.connect(self.activity_changed.emit)
+        self._runs.stopped_short.connect(lambda study: self.apply(study, "Cancel"))
         self._loading: Job | None = None
 
     def apply(self, study: Study, name: str) -> None:
@@ -91,20 +92,17 @@ class Session:
 
     def cancel(self) -> None:
         """Stop all work; what is there stays, and sliders beyond it go back to it."""
-        for job in self._running.values():
-            job.cancel()
-        self._set_back(self._wanted())
+        self._runs.cancel()
         self.tasks.cancel_all()
 
     @property
     def budget(self) -> int:
         """Memory for snapshots in bytes."""
-        return self._store.budget
+        return self._runs.budget
 
     def set_budget(self, budget: int) -> None:
         """Set the memory for snapshots in bytes; what no longer fits goes at once."""
-        self._store.budget = self._reader.budget = budget
-        self._store.trim(self._wanted())
+        self._runs.budget = self._reader.budget = budget
 
     def close(self) -> None:
         """Stop all work for good; only what is being saved is saved."""
@@ -114,20 +112,19 @@ class Session:
 
     def run(self, method: str) -> Run | None:
         """Return what is known of a method with its current parameters."""
-        return self._store.get(self._key(self.study.choice(method)))
+        return self._runs.run(self.study.choice(method))
 
     def shown_iteration(self, method: str) -> int:
-        """Return the iteration to show: the chosen one, or the last that is there."""
+        """Return the iteration to show: the chosen one, or the last before it that is there."""
         run = self.run(method)
-        return min(self.study.choice(method).iterations, run.computed) if run else 0
+        return run.nearest(self.study.choice(method).iterations) if run else 0
 
     @property
     def activity(self) -> str | None:
         """What is being computed for the study, or None."""
         if self._loading:
             return self._loading.title
-        busy = [choice for key, choice in self._wanted().items() if key in self._running]
-        return ", ".join(METHODS[choice.method].title for choice in busy) or None
+        return ", ".join(self._runs.busy) or None
 
     @property
     def is_loading(self) -> bool:
@@ -150,7 +147,7 @@ class Session:
 
     def _replace(self, study: Study) -> None:
         before, self.study = self.study, study
-        self._run_missing()
+        self._runs.follow(study, self.meshes)
         self.study_changed.emit(study, before)
 
     def _stop_loading(self) -> None:
@@ -193,75 +190,11 @@ class Session:
         opened = self.meshes is None or self.study.model != study.model
         before, self.study = self.study, study
         self.meshes = meshes
-        self._run_missing()
+        self._runs.follow(study, self.meshes)
         self.meshes_changed.emit()
         self.study_changed.emit(study, before)
         if opened and meshes.report:
             self.notified.emit(f"{meshes.name}: {'; '.join(meshes.report)}.")
-
-    def _key(self, choice: MethodChoice) -> RunKey:
-        meshes = self.meshes.key if self.meshes else ""
-        return meshes, f"{choice.method} {choice.settings.model_dump_json()}"
-
-    def _wanted(self) -> dict[RunKey, MethodChoice]:
-        return {self._key(choice): choice for choice in self.study.methods if choice.enabled}
-
-    def _run_missing(self) -> None:
-        """Start what the study asks for and is not there; stop what it no longer asks for."""
-        wanted = self._wanted()
-        for key, job in list(self._running.items()):
-            if key not in wanted:
-                job.cancel()
-        for key, choice in wanted.items():
-            self._run(key, choice)
-        self.activity_changed.emit()
-
-    def _run(self, key: RunKey, choice: MethodChoice) -> None:
-        """Start a method unless it is under way, has diverged or is far enough."""
-        if self.meshes is None or key in self._running:
-            return
-        run, source = self._store.begin(key, self.meshes.comparison, choice)
-        if source.ended or run.computed >= choice.iterations:
-            return
-
-        def target() -> int:
-            wanted = self._wanted().get(key)
-            return wanted.iterations if wanted else 0
-
-        def extend(step: Snapshot | DivergenceError) -> None:
-            known = self._store.get(key)
-            if known:
-                self._store.put(key, known.extended(step), self._wanted())
-                self.run_changed.emit(choice.method)
-                self.activity_changed.emit()
-
-        def share() -> float:
-            known = self._store.get(key)
-            return known.computed / max(target(), 1) if known else 0.0
-
-        def done() -> None:
-            # A slider may have asked for more, or a cancelled run may be wanted again.
-            self._running.pop(key, None)
-            self._run_missing()
-
-        job = Job(
-            source.advance(target), extend, self.report, done,
-            title=METHODS[choice.method].title, share=share,
-            on_cancel=lambda: self._set_back({key}), late=True,
-        )  # fmt: skip
-        self._running[key] = job
-        self.jobs.start(job)
-
-    def _set_back(self, keys: Collection[RunKey]) -> None:
-        """Let the sliders of runs go back to what is there, as one step that can be undone."""
-        study = self.study
-        for key, choice in self._wanted().items():
-            run = self._store.get(key)
-            if key in keys and run and run.computed < choice.iterations and not run.diverged:
-                update = {"iterations": run.computed}
-                study = study.with_choice(choice.model_copy(update=update))
-        if study != self.study:
-            self.apply(study, "Cancel")
 
     def report(self, error: Exception) -> None:
         """Tell what a job raised: a sentence where the input was at fault, else a fault."""

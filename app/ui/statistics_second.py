@@ -77,7 +77,7 @@ class SecondModel(QObject):
         if run is None:
             return None
         iteration = self._session.shown_iteration(method)
-        positions = run.positions[iteration]
+        positions = run.snapshot(iteration)
         if self._denoised is None or self._denoised[0] is not positions:
             noisy = self._session.meshes.comparison.noisy
             self._denoised = positions, iteration, noisy.with_vertices(run.vertices(iteration))

@@ -271,3 +271,48 @@ def test_a_study_opened_while_another_changes_keeps_both(desk, ball_file, tmp_pa
     desk.session.apply(desk.session.study.model_copy(update={"view": view}), "Edges")
     desk.rest()
     assert desk.session.study == opened.model_copy(update={"view": view})
+
+
+def iterate(desk, method, iterations):
+    choice = desk.session.study.choice(method).model_copy(update={"iterations": iterations})
+    desk.session.apply(desk.session.study.with_choice(choice), "Iterations")
+    desk.rest()
+
+
+def test_when_memory_is_short_snapshots_go_and_numbers_stay(desk, ball_file):
+    desk.session.apply(study_of(ball_file, "mean"), "Open")
+    desk.rest()
+    whole = desk.session.run("mean")
+    desk.session.set_budget(2 * whole.positions[0].nbytes)
+    run = desk.session.run("mean")
+    assert [run.holds(k) for k in range(4)] == [True, False, False, True]
+    assert run.errors == whole.errors
+    with pytest.raises(LookupError):
+        run.vertices(2)
+
+
+def test_a_snapshot_that_is_gone_is_made_again_when_it_is_asked_for(desk, ball_file):
+    desk.session.apply(study_of(ball_file, "mean", "median"), "Open")
+    desk.rest()
+    second = desk.session.run("mean").positions[2]
+    desk.session.set_budget(1)
+    iterate(desk, "mean", 2)
+    assert desk.session.shown_iteration("mean") == 2
+    assert np.array_equal(desk.session.run("mean").positions[2], second)
+    iterate(desk, "mean", 1)
+    run = desk.session.run("mean")
+    assert [run.holds(k) for k in range(4)] == [True, True, False, True]
+    iterate(desk, "mean", 5)
+    assert desk.session.run("mean").computed == 5
+    assert desk.session.shown_iteration("mean") == 5
+
+
+def test_a_run_beyond_the_budget_goes_on_to_its_end(ball_file):
+    desk = Desk()
+    desk.session.set_budget(1)
+    desk.session.apply(study_of(ball_file, "laplacian", iterations=12), "Open")
+    desk.rest()
+    run = desk.session.run("laplacian")
+    assert (run.computed, len(run.errors)) == (12, 13)
+    assert sum(run.holds(k) for k in range(13)) == 2
+    desk.session.close()
