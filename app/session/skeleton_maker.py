@@ -1,15 +1,15 @@
 """Skeletal graphs of the window, each stage kept under what it was computed from."""
 
+import math
 import time
-from collections import OrderedDict
-from collections.abc import Callable, Hashable, Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from typing import TypeVar
 
 import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from app.session.kept import Kept
 from core.arrays import FloatArray
 from core.fields import ScalarField, scalar_field
 from core.mesh import TriangleMesh
@@ -29,8 +29,6 @@ from core.skeleton import (
 from core.skeleton.levels import LevelRule
 from core.statistics import Progress
 from core.study import SkeletonView
-
-T = TypeVar("T")
 
 _SKETCH_FACES = 24_000
 _NOTICED = 0.02
@@ -115,36 +113,30 @@ class Skeleton:
         known = [check.genus for check in self.checks]
         return None if None in known else sum(genus or 0 for genus in known)
 
-
-class _Kept:
-    """The last few values by key."""
-
-    def __init__(self, limit: int) -> None:
-        self._limit = limit
-        self._values: OrderedDict[Hashable, object] = OrderedDict()
-
-    def get(self, key: Hashable, make: Callable[[], T]) -> T:
-        """Return the value under a key, made if it is not there."""
-        if key not in self._values:
-            self._values[key] = make()
-        self._values.move_to_end(key)
-        while len(self._values) > self._limit:
-            self._values.popitem(last=False)
-        value: T = self._values[key]  # type: ignore[assignment]
-        return value
+    @property
+    def bytes(self) -> int:
+        """Memory that it takes apart from mesh and field, which several graphs share."""
+        arrays = (*(self.graph.pieces or ()), self.curves.points, self.curves.starts)
+        return sum(array.nbytes for array in arrays)
 
 
 class SkeletonMaker:
-    """Draws skeletal graphs and keeps meshes, fields and graphs; for one thread."""
+    """Draws skeletal graphs and keeps meshes, fields and graphs; for one thread.
 
-    def __init__(self) -> None:
-        self._meshes = _Kept(_FEW)
-        self._surfaces = _Kept(_FEW)
-        self._sketches = _Kept(_FEW)
-        self._sizes = _Kept(_FEW)
-        self._fields = _Kept(_FEW)
-        self._rules = _Kept(_FEW)
-        self._graphs = _Kept(_MANY)
+    Parameters
+    ----------
+    budget : callable
+        Returns the memory for graphs in bytes.
+    """
+
+    def __init__(self, budget: Callable[[], float] = lambda: math.inf) -> None:
+        self._meshes: Kept[TriangleMesh] = Kept(_FEW)
+        self._surfaces: Kept[tuple[ComponentSurface, ...]] = Kept(_FEW)
+        self._sketches: Kept[Sketch | None] = Kept(_FEW)
+        self._sizes: Kept[float] = Kept(_FEW)
+        self._fields: Kept[ScalarField] = Kept(_FEW)
+        self._rules: Kept[LevelRule] = Kept(_FEW)
+        self._graphs: Kept[Skeleton] = Kept(_MANY, lambda skeleton: skeleton.bytes, budget)
 
     def make(self, source: SkeletonSource, view: SkeletonView) -> Skeleton:
         """Draw the graph of a view.

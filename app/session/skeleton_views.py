@@ -40,7 +40,7 @@ class SkeletonViews:
 
     def __init__(self, session: Session) -> None:
         self._session = session
-        self._maker = SkeletonMaker()
+        self._maker = SkeletonMaker(lambda: session.budget // 4)
         self._awake = False
         self._skeletons: list[Skeleton | None] = [None] * VIEW_COUNT
         self._problems = [""] * VIEW_COUNT
