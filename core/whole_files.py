@@ -23,13 +23,25 @@ def write_atomically(file: Path, content: bytes) -> None:
     OSError
         If the system refuses; the old file is then untouched and nothing is left behind.
     """
+    with replacing(file) as fresh, fresh.open("xb") as stream:
+        stream.write(content)
+        stream.flush()
+        os.fsync(stream.fileno())
+
+
+@contextmanager
+def replacing(file: Path) -> Iterator[Path]:
+    """Give the path of a new file beside `file`, which takes its place unless something fails.
+
+    Raises
+    ------
+    OSError
+        If the system refuses; the old file is then untouched and nothing is left behind.
+    """
     target = Path(os.path.realpath(file))
-    fresh = target.with_name(f".{target.name}.{secrets.token_hex(4)}.tmp")
+    fresh = target.with_name(f".{target.stem}.{secrets.token_hex(4)}.tmp{target.suffix}")
     try:
-        with fresh.open("xb") as stream:
-            stream.write(content)
-            stream.flush()
-            os.fsync(stream.fileno())
+        yield fresh
         fresh.replace(target)
     finally:
         fresh.unlink(missing_ok=True)

@@ -5,12 +5,15 @@ from pathlib import Path
 from typing import Any
 
 from app.export.pictures import Picture, PictureError
+from core.whole_files import replacing
 
 FILM_SUFFIXES = (".gif", ".mp4")
 
 
 def write_film(path: Path, frames: Iterable[Picture], per_second: float) -> Iterator[int]:
     """Write a film and yield the number of frames that are written, so that it can be stopped.
+
+    A film that is stopped or fails leaves no file, and one that was there stays as it was.
 
     Parameters
     ----------
@@ -26,8 +29,10 @@ def write_film(path: Path, frames: Iterable[Picture], per_second: float) -> Iter
     PictureError
         If the suffix is another or the file cannot be written.
     """
+    if path.suffix.lower() not in FILM_SUFFIXES:
+        raise PictureError(f"{path.name}: films end in {' or '.join(FILM_SUFFIXES)}.")
     try:
-        with _writer(path, per_second) as writer:
+        with replacing(path) as fresh, _writer(fresh, per_second) as writer:
             for number, frame in enumerate(frames, 1):
                 height, width = frame.shape[:2]
                 writer.append_data(frame[: height - height % 2, : width - width % 2])
@@ -40,9 +45,6 @@ def write_film(path: Path, frames: Iterable[Picture], per_second: float) -> Iter
 def _writer(path: Path, per_second: float) -> Any:
     import imageio.v2 as imageio  # late, because its import takes a while
 
-    suffix = path.suffix.lower()
-    if suffix == ".gif":
+    if path.suffix.lower() == ".gif":
         return imageio.get_writer(path, duration=1000 / per_second, loop=0)
-    if suffix == ".mp4":
-        return imageio.get_writer(path, fps=per_second, quality=8, macro_block_size=2)
-    raise PictureError(f"{path.name}: films end in {' or '.join(FILM_SUFFIXES)}.")
+    return imageio.get_writer(path, fps=per_second, quality=8, macro_block_size=2)

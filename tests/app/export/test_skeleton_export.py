@@ -86,6 +86,17 @@ def test_a_film_in_another_format_is_refused(tmp_path):
         list(write_film(tmp_path / "film.avi", [], 5))
 
 
+def test_a_film_that_is_stopped_leaves_the_old_one(tmp_path):
+    path = tmp_path / "film.gif"
+    path.write_bytes(b"old")
+    frames = [np.zeros((16, 16, 3), np.uint8)] * 3
+    writing = write_film(path, frames, 5)
+    assert next(writing) == 1
+    writing.close()
+    assert path.read_bytes() == b"old"
+    assert list(tmp_path.iterdir()) == [path]
+
+
 @pytest.fixture(scope="module")
 def torus_file(tmp_path_factory):
     path = tmp_path_factory.mktemp("models") / "torus.ply"
