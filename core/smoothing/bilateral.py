@@ -12,9 +12,10 @@ from core.smoothing.exponential import falling_exponential
 from core.smoothing.normal_update import set_areas_and_normals
 from core.smoothing.spec import MethodSpec
 
-
 # Unit normals whose mean is no longer than this cancel; what is left of them is rounding.
 _CANCELLED = 1e-9
+# Vertices whose rings are weighed at once: enough for vector instructions, few enough to stay near.
+_BLOCK = 256
 
 
 class BilateralParams(Params):
@@ -40,16 +41,63 @@ class BilateralParams(Params):
 
 
 @kernel
-def _vertex_normal(normals: FloatArray, ring: IntArray) -> tuple[float, float, float]:
-    x = y = z = 0.0
-    for t in ring:
-        x += normals[t, 0]
-        y += normals[t, 1]
-        z += normals[t, 2]
-    length = np.sqrt(x * x + y * y + z * z)
-    if length <= _CANCELLED * len(ring):
-        return 0.0, 0.0, 0.0
-    return x / length, y / length, z / length
+def _set_vertex_normals(
+    face_normals: FloatArray,
+    starts: IntArray,
+    items: IntArray,
+    first: int,
+    last: int,
+    normals: FloatArray,
+) -> None:
+    """Note the unit mean of the face normals around the vertices from first to last."""
+    for i in range(first, last):
+        x = y = z = 0.0
+        for t in items[starts[i] : starts[i + 1]]:
+            x += face_normals[t, 0]
+            y += face_normals[t, 1]
+            z += face_normals[t, 2]
+        length = np.sqrt(x * x + y * y + z * z)
+        factor = 1 / length if length > _CANCELLED * (starts[i + 1] - starts[i]) else 0.0
+        normals[i, 0], normals[i, 1], normals[i, 2] = factor * x, factor * y, factor * z
+
+
+@kernel
+def _measure_rings(
+    vertices: FloatArray,
+    normals: FloatArray,
+    starts: IntArray,
+    items: IntArray,
+    first: int,
+    last: int,
+    heights: FloatArray,
+    squares: FloatArray,
+) -> int:
+    """Note ⟨nᵢ, vⱼ − vᵢ⟩ and ‖vⱼ − vᵢ‖², ring after ring from first to last; returns how many."""
+    slot = 0
+    for i in range(first, last):
+        for j in items[starts[i] : starts[i + 1]]:
+            dx, dy, dz = (
+                vertices[j, 0] - vertices[i, 0],
+                vertices[j, 1] - vertices[i, 1],
+                vertices[j, 2] - vertices[i, 2],
+            )
+            heights[slot] = normals[i, 0] * dx + normals[i, 1] * dy + normals[i, 2] * dz
+            squares[slot] = dx * dx + dy * dy + dz * dz
+            slot += 1
+    return slot
+
+
+@kernel
+def _set_weights(
+    heights: FloatArray, squares: FloatArray, sigma_c: float, sigma_s: float, weights: FloatArray
+) -> None:
+    """Note w⁽ᶜ⁾ w⁽ˢ⁾ of each ring entry."""
+    closeness, similarity = -0.5 / sigma_c**2, -0.5 / sigma_s**2
+    for slot in range(len(heights)):
+        height = heights[slot]
+        weights[slot] = falling_exponential(
+            closeness * squares[slot] + similarity * height * height
+        )
 
 
 @parallel_kernel
@@ -60,67 +108,51 @@ def _move_along_normals(
     face_items: IntArray,
     starts: IntArray,
     items: IntArray,
+    longest: int,
     sigma_c: float,
     sigma_s: float,
+    normals: FloatArray,
 ) -> FloatArray:
+    """One step; no block of vertices has more than `longest` ring entries."""
     moved = np.empty_like(vertices)
-    closeness, similarity = -0.5 / sigma_c**2, -0.5 / sigma_s**2
-    for i in prange(len(vertices)):
-        nx, ny, nz = _vertex_normal(face_normals, face_items[face_starts[i] : face_starts[i + 1]])
-        total = offset = 0.0
-        for j in items[starts[i] : starts[i + 1]]:
-            dx, dy, dz = (
-                vertices[j, 0] - vertices[i, 0],
-                vertices[j, 1] - vertices[i, 1],
-                vertices[j, 2] - vertices[i, 2],
-            )
-            height = nx * dx + ny * dy + nz * dz
-            weight = falling_exponential(
-                closeness * (dx * dx + dy * dy + dz * dz) + similarity * height * height
-            )
-            total += weight
-            offset += weight * height
-        height = offset / total if total > 0 else 0.0
-        moved[i, 0] = vertices[i, 0] + height * nx
-        moved[i, 1] = vertices[i, 1] + height * ny
-        moved[i, 2] = vertices[i, 2] + height * nz
+    for block in prange((len(vertices) + _BLOCK - 1) // _BLOCK):
+        first, last = block * _BLOCK, min((block + 1) * _BLOCK, len(vertices))
+        heights, squares, weights = np.empty(longest), np.empty(longest), np.empty(longest)
+        _set_vertex_normals(face_normals, face_starts, face_items, first, last, normals)
+        count = _measure_rings(vertices, normals, starts, items, first, last, heights, squares)
+        _set_weights(heights[:count], squares, sigma_c, sigma_s, weights)
+        slot = 0
+        for i in range(first, last):
+            total = offset = 0.0
+            for _ in range(starts[i + 1] - starts[i]):
+                total += weights[slot]
+                offset += weights[slot] * heights[slot]
+                slot += 1
+            height = offset / total if total > 0 else 0.0
+            moved[i, 0] = vertices[i, 0] + height * normals[i, 0]
+            moved[i, 1] = vertices[i, 1] + height * normals[i, 1]
+            moved[i, 2] = vertices[i, 2] + height * normals[i, 2]
     return moved
 
 
-@parallel_kernel
-def _heights(
-    vertices: FloatArray,
-    face_normals: FloatArray,
-    face_starts: IntArray,
-    face_items: IntArray,
-    starts: IntArray,
-    items: IntArray,
-) -> FloatArray:
+def _heights(mesh: TriangleMesh) -> FloatArray:
     """Height ⟨nᵢ, vⱼ − vᵢ⟩ of every ring entry over the tangent plane, in the ring's order."""
-    heights = np.zeros(len(items))
-    for i in prange(len(vertices)):
-        nx, ny, nz = _vertex_normal(face_normals, face_items[face_starts[i] : face_starts[i + 1]])
-        for slot in range(starts[i], starts[i + 1]):
-            j = items[slot]
-            heights[slot] = (
-                nx * (vertices[j, 0] - vertices[i, 0])
-                + ny * (vertices[j, 1] - vertices[i, 1])
-                + nz * (vertices[j, 2] - vertices[i, 2])
-            )
+    n, m, ring = len(mesh.faces), len(mesh.vertices), mesh.topology.vertex_ring
+    areas, face_normals, normals = np.empty(n), np.empty((n, 3)), np.empty((m, 3))
+    heights, squares = np.empty(len(ring.items)), np.empty(len(ring.items))
+    set_areas_and_normals(mesh.vertices, *unsigned(mesh.faces), areas, face_normals)
+    _set_vertex_normals(face_normals, *unsigned(*mesh.topology.vertex_faces), 0, m, normals)
+    _measure_rings(mesh.vertices, normals, *unsigned(*ring), 0, m, heights, squares)
     return heights
 
 
 def automatic_widths(mesh: TriangleMesh, params: BilateralParams) -> tuple[float, float]:
     """Widths (σc, σs) in model units: those given, else ℓ̄ and the deviation of the heights."""
     unit = mesh.mean_edge_length or 1.0
-    (faces,) = unsigned(mesh.faces)
-    rings = unsigned(*mesh.topology.vertex_faces, *mesh.topology.vertex_ring)
     sigma_c = unit * (1.0 if params.sigma_c is None else params.sigma_c)
     if params.sigma_s is not None:
         return sigma_c, unit * params.sigma_s
-    areas, normals = np.empty(len(faces)), np.empty((len(faces), 3))
-    set_areas_and_normals(mesh.vertices, faces, areas, normals)
-    heights = _heights(mesh.vertices, normals, *rings)
+    heights = _heights(mesh)
     spread = float(heights.std()) if len(heights) else 0.0
     # A flat model has no heights; any positive width then leaves it as it is.
     return sigma_c, max(spread, 1e-9 * unit)
@@ -160,12 +192,15 @@ def steps(mesh: TriangleMesh, params: BilateralParams) -> Iterator[FloatArray]:
     """
     (faces,) = unsigned(mesh.faces)
     rings = unsigned(*mesh.topology.vertex_faces, *mesh.topology.vertex_ring)
-    sigma_c, sigma_s = automatic_widths(mesh, params)
-    areas, normals = np.empty(len(faces)), np.empty((len(faces), 3))
+    starts = mesh.topology.vertex_ring.starts
+    longest = int(np.diff(starts[::_BLOCK], append=starts[-1]).max())
+    widths = automatic_widths(mesh, params)
+    n, m = len(faces), len(mesh.vertices)
+    areas, face_normals, normals = np.empty(n), np.empty((n, 3)), np.empty((m, 3))
     vertices = mesh.vertices
     while True:
-        set_areas_and_normals(vertices, faces, areas, normals)
-        vertices = _move_along_normals(vertices, normals, *rings, sigma_c, sigma_s)
+        set_areas_and_normals(vertices, faces, areas, face_normals)
+        vertices = _move_along_normals(vertices, face_normals, *rings, longest, *widths, normals)
         yield vertices
 
 

@@ -7,10 +7,10 @@ import numpy as np
 from core.arrays import FloatArray, IntArray
 from core.kernels import parallel_kernel, prange, unsigned
 from core.mesh import TriangleMesh
+from core.mesh.triangles import triangle_vector
 from core.parameters import Params
-from core.smoothing.normal_update import fit_vertices, set_areas_and_normals, set_plane
+from core.smoothing.normal_update import fit_vertices, set_plane
 from core.smoothing.spec import MethodSpec
-
 
 # Normals whose mean is no longer than this cancel; what is left of them is rounding.
 _CANCELLED = 1e-9
@@ -21,11 +21,22 @@ class MeanParams(Params):
 
 
 @parallel_kernel
+def set_area_vectors(
+    vertices: FloatArray, faces: IntArray, areas: FloatArray, vectors: FloatArray
+) -> None:
+    """Note A(t), (n,), and A(t) n(t), (n, 3), of each face."""
+    for t in prange(len(faces)):
+        x, y, z = triangle_vector(vertices, faces[t, 0], faces[t, 1], faces[t, 2])
+        areas[t] = np.sqrt(x * x + y * y + z * z) / 2
+        vectors[t, 0], vectors[t, 1], vectors[t, 2] = x / 2, y / 2, z / 2
+
+
+@parallel_kernel
 def set_mean_planes(
     vertices: FloatArray,
     faces: IntArray,
     areas: FloatArray,
-    normals: FloatArray,
+    vectors: FloatArray,
     starts: IntArray,
     items: IntArray,
     planes: FloatArray,
@@ -34,16 +45,15 @@ def set_mean_planes(
     for t in prange(len(faces)):
         x = y = z = total = 0.0
         for other in items[starts[t] : starts[t + 1]]:
-            x += areas[other] * normals[other, 0]
-            y += areas[other] * normals[other, 1]
-            z += areas[other] * normals[other, 2]
+            x += vectors[other, 0]
+            y += vectors[other, 1]
+            z += vectors[other, 2]
             total += areas[other]
         length = np.sqrt(x * x + y * y + z * z)
-        if length > _CANCELLED * total:
-            x, y, z = x / length, y / length, z / length
-        else:
-            x, y, z = normals[t, 0], normals[t, 1], normals[t, 2]
-        set_plane(planes, t, vertices, faces, x, y, z)
+        if length <= _CANCELLED * total:
+            x, y, z, length = vectors[t, 0], vectors[t, 1], vectors[t, 2], areas[t]
+        factor = 1 / length if length > 0 else 0.0
+        set_plane(planes, t, vertices, faces, factor * x, factor * y, factor * z)
 
 
 def steps(mesh: TriangleMesh, params: MeanParams) -> Iterator[FloatArray]:
@@ -81,11 +91,11 @@ def steps(mesh: TriangleMesh, params: MeanParams) -> Iterator[FloatArray]:
     face_ring = unsigned(*mesh.topology.face_ring)
     vertex_faces = unsigned(*mesh.topology.vertex_faces)
     n = len(faces)
-    areas, normals, planes = np.empty(n), np.empty((n, 3)), np.empty((n, 4))
+    areas, vectors, planes = np.empty(n), np.empty((n, 3)), np.empty((n, 4))
     vertices = mesh.vertices
     while True:
-        set_areas_and_normals(vertices, faces, areas, normals)
-        set_mean_planes(vertices, faces, areas, normals, *face_ring, planes)
+        set_area_vectors(vertices, faces, areas, vectors)
+        set_mean_planes(vertices, faces, areas, vectors, *face_ring, planes)
         vertices = fit_vertices(vertices, *vertex_faces, areas, planes)
         yield vertices
 

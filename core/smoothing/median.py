@@ -27,11 +27,6 @@ class MedianParams(Params):
 
 
 @kernel
-def _has_normal(normals: FloatArray, t: int) -> bool:
-    return normals[t, 0] != 0 or normals[t, 1] != 0 or normals[t, 2] != 0
-
-
-@kernel
 def _fill_columns(
     columns: FloatArray,
     counts: IntArray,
@@ -44,23 +39,24 @@ def _fill_columns(
 
     A face without a normal makes no angle, so it does not count.
     """
+    last = min(first + _COLUMNS, len(normals))
     height = 0
-    columns[:] = _BELOW_ALL
-    for column in range(min(_COLUMNS, len(normals) - first)):
-        t = first + column
-        slot = count = 0
-        for other in items[starts[t] : starts[t + 1]]:
+    for t in range(first, last):
+        height = max(height, len(items[starts[t] : starts[t + 1]]))
+    columns[:height] = _BELOW_ALL
+    for t in range(first, last):
+        column = t - first
+        count = 0
+        for slot, other in enumerate(items[starts[t] : starts[t + 1]]):
             cosine = (
                 normals[t, 0] * normals[other, 0]
                 + normals[t, 1] * normals[other, 1]
                 + normals[t, 2] * normals[other, 2]
             )
-            if cosine != 0 or _has_normal(normals, other):
+            if cosine != 0 or normals[other].any():
                 columns[slot, column] = cosine
                 count += 1
-            slot += 1
         counts[column] = count
-        height = max(height, slot)
     return height
 
 
@@ -85,11 +81,23 @@ def _sort_columns(columns: FloatArray) -> None:
 
 
 @kernel
-def _first_equal(column: FloatArray, value: float) -> int:
-    for slot in range(len(column)):
-        if column[slot] == value:
-            return slot
-    return 0
+def _find_medians(
+    cosines: FloatArray, columns: FloatArray, counts: IntArray, height: int, slots: FloatArray
+) -> None:
+    """Note the first slot of each column that holds its lower median, from the sorted columns."""
+    slots[:] = 0
+    medians = np.empty(_COLUMNS)
+    for column in range(_COLUMNS):
+        medians[column] = columns[max(counts[column] - 1, 0) // 2, column]
+    for slot in range(height - 1, -1, -1):
+        _note_equal(cosines[slot], medians, slot, slots)
+
+
+@kernel
+def _note_equal(row: FloatArray, medians: FloatArray, slot: float, slots: FloatArray) -> None:
+    """Note a slot, as wide as a cosine, without branches, so that vector instructions do it."""
+    for column in range(len(row)):
+        slots[column] = slot if row[column] == medians[column] else slots[column]
 
 
 @parallel_kernel
@@ -104,21 +112,18 @@ def set_median_faces(
     for block in prange((n + _BLOCK - 1) // _BLOCK):
         cosines = np.empty((longest, _COLUMNS))
         columns = np.empty((longest, _COLUMNS))
-        counts = np.empty(_COLUMNS, np.int32)
+        counts, slots = np.zeros(_COLUMNS, np.int32), np.zeros(_COLUMNS)
         for first in range(block * _BLOCK, min((block + 1) * _BLOCK, n), _COLUMNS):
             height = _fill_columns(cosines, counts, normals, first, starts, items)
-            columns[:] = cosines
+            columns[:height] = cosines[:height]
             if height <= _SHORT_ROW:
                 _sort_upper_half(columns, height)
             else:
                 _sort_columns(columns[:height])
-            for column in range(min(_COLUMNS, n - first)):
-                t = first + column
-                medians[t] = t
-                if counts[column] > 0:
-                    median = columns[(counts[column] - 1) // 2, column]
-                    slot = _first_equal(cosines[:height, column], median)
-                    medians[t] = items[starts[t] + slot]
+            _find_medians(cosines, columns, counts, height, slots)
+            for t in range(first, min(first + _COLUMNS, n)):
+                slot = np.uint32(slots[t - first])
+                medians[t] = items[starts[t] + slot] if counts[t - first] > 0 else t
 
 
 @parallel_kernel

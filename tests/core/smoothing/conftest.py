@@ -5,7 +5,9 @@ from functools import cached_property
 import numpy as np
 import pytest
 
+from core.mesh.geometry import face_normals
 from core.smoothing import METHODS
+from core.smoothing.median import set_median_faces
 
 
 def unit(vector):
@@ -60,12 +62,17 @@ class Plain:
     def mean_normals(self):
         vectors = self.area_vectors
         sums = np.array([vectors[ring].sum(axis=0) for ring in self.face_rings])
-        cancelled = (sums == 0).all(axis=1)
+        totals = np.array([self.areas[ring].sum() for ring in self.face_rings])
+        cancelled = np.linalg.norm(sums, axis=1) <= 1e-9 * totals
         return np.array([unit(v) for v in np.where(cancelled[:, None], vectors, sums)])
 
     @cached_property
     def vertex_normals(self):
-        return np.array([unit(self.normals[around].sum(axis=0)) for around in self.faces_around])
+        sums = [self.normals[around].sum(axis=0) for around in self.faces_around]
+        lengths = np.linalg.norm(sums, axis=1)
+        counts = [len(around) for around in self.faces_around]
+        cancelled = lengths <= 1e-9 * np.array(counts)
+        return np.where(cancelled[:, None], 0, [unit(vector) for vector in sums])
 
     def moved(self, move):
         """Positions after `move(i, ring)` is added to each vertex that has a ring."""
@@ -100,6 +107,18 @@ def plain(irregular):
 @pytest.fixture
 def plain_of():
     return Plain
+
+
+@pytest.fixture
+def median_faces():
+    """Face at the lower median angle of each ring."""
+
+    def medians(mesh):
+        table, found = mesh.topology.face_ring, np.empty(len(mesh.faces), np.int32)
+        set_median_faces(face_normals(mesh), *table, int(table.lengths.max()), found)
+        return found
+
+    return medians
 
 
 @pytest.fixture

@@ -4,19 +4,14 @@ import numpy as np
 import pytest
 
 from core.mesh import TriangleMesh, primitives
-from core.mesh.geometry import face_vectors
-from core.smoothing import bilateral, median
-from core.smoothing.mean import mean_planes
-from core.smoothing.normal_update import areas_and_normals, fit_vertices
-
-
-def median_faces(plain):
-    table = plain.mesh.topology.face_ring
-    return median.median_faces(plain.normals, *table, int(table.lengths.max()))
+from core.smoothing import bilateral
+from core.smoothing.mean import set_area_vectors, set_mean_planes
+from core.smoothing.normal_update import fit_vertices, set_areas_and_normals
 
 
 def test_areas_normals_and_fit(irregular, plain):
-    areas, normals = areas_and_normals(irregular.vertices, irregular.faces)
+    areas, normals = np.empty(len(irregular.faces)), np.empty((len(irregular.faces), 3))
+    set_areas_and_normals(irregular.vertices, irregular.faces, areas, normals)
     assert areas == pytest.approx(plain.areas)
     assert normals == pytest.approx(plain.normals)
     planes = np.c_[normals, np.einsum("tx,tx->t", plain.centroids, normals)]
@@ -25,10 +20,12 @@ def test_areas_normals_and_fit(irregular, plain):
 
 
 def test_mean_planes(irregular, plain):
-    vectors = face_vectors(irregular.vertices, irregular.faces)
-    ring = irregular.topology.face_ring
-    areas, planes = mean_planes(irregular.vertices, irregular.faces, vectors, *ring)
+    planes, ring = np.empty((len(irregular.faces), 4)), irregular.topology.face_ring
+    areas, vectors = np.empty(len(irregular.faces)), np.empty((len(irregular.faces), 3))
+    set_area_vectors(irregular.vertices, irregular.faces, areas, vectors)
     assert areas == pytest.approx(plain.areas)
+    assert vectors == pytest.approx(plain.area_vectors)
+    set_mean_planes(irregular.vertices, irregular.faces, areas, vectors, *ring, planes)
     assert planes[:, :3] == pytest.approx(plain.mean_normals)
     heights = np.einsum("tx,tx->t", plain.centroids, plain.mean_normals)
     assert planes[:, 3] == pytest.approx(heights)
@@ -44,8 +41,8 @@ def test_a_face_without_a_ring_keeps_its_normal(plain_of, first_step, method):
     assert first_step(alone.mesh, method) == pytest.approx(alone.fitted(alone.normals))
 
 
-def test_median_faces(plain):
-    ours, normals, rings = median_faces(plain), plain.normals, plain.face_rings
+def test_median_faces(plain, median_faces):
+    ours, normals, rings = median_faces(plain.mesh), plain.normals, plain.face_rings
     assert all(face in ring for face, ring in zip(ours, rings, strict=True) if ring)
     # Equal angles may differ in their last bit, so that either face is right.
     cosines = np.einsum("tx,tx->t", normals[ours], normals)
@@ -57,14 +54,14 @@ def test_median_faces(plain):
             assert ours[t] == t
 
 
-def test_median_filter(irregular, plain, first_step):
-    expected = plain.fitted(plain.normals[median_faces(plain)])
+def test_median_filter(irregular, plain, first_step, median_faces):
+    expected = plain.fitted(plain.normals[median_faces(irregular)])
     assert first_step(irregular, "median") == pytest.approx(expected)
 
 
-def test_of_equal_angles_the_first_face_is_taken(plain_of):
+def test_of_equal_angles_the_first_face_is_taken(plain_of, median_faces):
     flat = plain_of(primitives.grid(6, 6))
-    assert median_faces(flat).tolist() == [ring[0] for ring in flat.face_rings]
+    assert median_faces(flat.mesh).tolist() == [ring[0] for ring in flat.face_rings]
 
 
 def test_bilateral(irregular, plain, first_step):
