@@ -1,19 +1,20 @@
 # make run    set up what is missing and start Burnish on a bundled model
 # make test   set up what is missing and run all checks and tests
 # make bench  print the benchmarks as one table
+# make monkey let a random user do ten thousand things in the window; make soak works an hour
 # make models make the bundled models anew
 
 BIN := .venv/bin
 MODEL ?= sample:creature
 
-.PHONY: run test check bench models clean
+.PHONY: run test check bench monkey soak models clean
 
 run:
 	@sh .ci/setup run
 	@$(BIN)/burnish $(MODEL)
 
 test: check
-	$(BIN)/pytest
+	$(BIN)/pytest -n 2 --dist loadfile
 
 check:
 	@sh .ci/setup test
@@ -25,6 +26,14 @@ check:
 bench:
 	@sh .ci/setup test
 	$(BIN)/pytest tests/benchmarks --benchmark-only --benchmark-disable-gc --override-ini addopts=--import-mode=importlib
+
+monkey:
+	@sh .ci/setup test
+	BURNISH_MONKEY_ACTIONS=$(or $(ACTIONS),10000) $(BIN)/pytest tests/gui/monkey/test_monkey.py
+
+soak:
+	@sh .ci/setup test
+	BURNISH_SOAK_MINUTES=$(or $(MINUTES),60) $(BIN)/pytest tests/gui/monkey/test_soak.py
 
 models:
 	@sh .ci/setup run

@@ -5,6 +5,7 @@ all read :func:`describe`; nobody repeats a default or a range.
 """
 
 from dataclasses import dataclass
+from functools import cache
 from typing import Any, Literal, get_args, get_origin
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
@@ -112,6 +113,7 @@ def param(
     return Field(default, ge=low, le=high, description=help, json_schema_extra=extra)
 
 
+@cache
 def describe(params: type[Params]) -> tuple[Parameter, ...]:
     """List the declared parameters of a model in their order."""
     return tuple(_parameter(name, info) for name, info in params.model_fields.items())

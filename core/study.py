@@ -138,8 +138,10 @@ class Study(Params):
 
     def choice(self, method: str) -> MethodChoice:
         """Return the choice made for a method; one that the study leaves out is not enabled."""
-        absent = MethodChoice(method=method, enabled=False)
-        return next((choice for choice in self.methods if choice.method == method), absent)
+        for choice in self.methods:
+            if choice.method == method:
+                return choice
+        return MethodChoice(method=method, enabled=False)
 
     def with_choice(self, choice: MethodChoice) -> "Study":
         """Return the study with one method's choice replaced, in display order."""

@@ -4,14 +4,17 @@ Kernels are compiled at their first call and then kept on disk, so running every
 mesh is enough.
 """
 
+from collections.abc import Iterator
+
+from core.comparison import Comparison, run_method
 from core.doctor import REPAIRS, examine, repair
 from core.fields import critical_vertices, scalar_field
 from core.io.merging import merge_equal
 from core.mesh import TriangleMesh, primitives
 from core.mesh.geometry import shading_normals
 from core.mesh.ordering import mean_step, surface_ordering
-from core.metrics import METRICS
 from core.noise import add_noise
+from core.parameters import Params, describe
 from core.skeleton import (
     automatic_resolution,
     band_levels,
@@ -21,8 +24,9 @@ from core.skeleton import (
     level_curves,
     loop_checks,
 )
-from core.smoothing import METHODS, smooth
+from core.smoothing import METHODS
 from core.statistics import connectivity
+from core.study import MethodChoice
 
 
 def warm_up() -> None:
@@ -30,14 +34,30 @@ def warm_up() -> None:
     original = primitives.torus(8, 6)
     noisy = add_noise(original)
     _touch_topology(noisy)
-    for method in METHODS:
-        smooth(noisy, method, 1)
-    for metric in METRICS.values():
-        metric.evaluator(original).value(noisy.vertices)
-    shading_normals(noisy.vertices, noisy.faces)
+    _warm_up_methods(Comparison(original, noisy))
+    for vertices in (noisy.vertices, noisy.vertices.copy()):
+        shading_normals(vertices, noisy.faces)
     _warm_up_skeleton(noisy)
     connectivity(noisy)
     _warm_up_doctor(noisy)
+
+
+def _warm_up_methods(comparison: Comparison) -> None:
+    """Run every method in every form, with all metrics.
+
+    Two iterations, because the positions of a mesh are read-only and those of a run are not: a
+    kernel is compiled for each.
+    """
+    for method, spec in METHODS.items():
+        for params in ({}, *_other_forms(spec.params)):
+            run_method(comparison, MethodChoice(method=method, iterations=2, params=params))
+
+
+def _other_forms(params: type[Params]) -> Iterator[dict[str, bool | str]]:
+    """Yield each switch and each choice that differs from its default."""
+    for parameter in describe(params):
+        allowed = (True, False) if parameter.kind == "bool" else parameter.choices
+        yield from ({parameter.name: v} for v in allowed if v != parameter.default)
 
 
 def _warm_up_skeleton(mesh: TriangleMesh) -> None:

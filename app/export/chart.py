@@ -18,6 +18,9 @@ _THIN, _HEAVY = 1.4, 2.8
 _DASHES = (0, (4, 3))
 # Times the largest sound error up to which a logarithmic plot follows a run that diverges.
 _HEADROOM = 20.0
+# Ends of a logarithmic scale stand on steps of a decade, so that the frame, whose drawing takes
+# longest, is seldom another while a run goes on.
+_STEPS = 8
 
 
 @dataclass(frozen=True)
@@ -66,6 +69,8 @@ class ErrorChart:
         Logarithmic errors, as far as there are positive ones.
     selected : str or None
         Method to draw with a heavy line.
+    reach : int
+        Iteration up to which the curves will come, if that is further than they are.
     """
 
     curves: Sequence[ErrorCurve]
@@ -74,6 +79,7 @@ class ErrorChart:
     theme: Theme = LIGHT
     log: bool = False
     selected: str | None = None
+    reach: int = 1
 
     @property
     def frame(self) -> Frame:
@@ -81,7 +87,7 @@ class ErrorChart:
         low, high = self._range()
         return Frame(
             label=f"{self.metric.title} ({self.metric.unit})",
-            last=max([len(curve.values) - 1 for curve in self.curves], default=0) or 1,
+            last=max(self.reach, 1, *(len(curve.values) - 1 for curve in self.curves)),
             low=low,
             high=high,
             log=low > 0,
@@ -99,7 +105,9 @@ class ErrorChart:
         highest = max(self._positive(sound), default=0.0)
         values = [v for v in self._positive(self.curves) if v <= _HEADROOM * highest]
         if self.log and values:
-            return min(values) / 1.2, max(values) * 1.2
+            low = math.floor(_STEPS * math.log10(min(values) / 1.1))
+            high = math.ceil(_STEPS * math.log10(max(values) * 1.1))
+            return 10 ** (low / _STEPS), 10 ** (high / _STEPS)
         return 0.0, 1.06 * highest or 1.0
 
     def _positive(self, curves: Sequence[ErrorCurve]) -> list[float]:

@@ -44,7 +44,7 @@ class Montage:
     cells : tuple of Cell
         The pictures in reading order.
     columns : int
-        Pictures in a row.
+        Most pictures in a row.
     letters : bool
         Whether captions begin with (a), (b), (c).
     bar : bool
@@ -75,9 +75,14 @@ class Montage:
         return self.font_size * INCH / 72
 
     @property
+    def across(self) -> int:
+        """Pictures in a full row."""
+        return max(1, min(self.columns, len(self.cells)))
+
+    @property
     def rows(self) -> int:
         """Number of rows."""
-        return -(-len(self.cells) // self.columns)
+        return -(-len(self.cells) // self.across)
 
     def caption(self, place: int) -> str:
         """Return a caption with its letter; after (z) comes (aa)."""
@@ -105,8 +110,8 @@ class Layout:
 
     def cell(self, montage: Montage, place: int) -> tuple[float, float, float, float]:
         """Left, bottom, width and height of a picture; a last row that is not full is centred."""
-        row, column = divmod(place, montage.columns)
-        missing = montage.columns - min(montage.columns, len(montage.cells) - row * montage.columns)
+        row, column = divmod(place, montage.across)
+        missing = montage.across - min(montage.across, len(montage.cells) - row * montage.across)
         step = self.cell_width + GAP
         left = MARGIN + (column + missing / 2) * step
         bottom = self.height - MARGIN - row * self.step_down - self.cell_height
@@ -125,8 +130,8 @@ def montage_layout(montage: Montage, *, with_bar: bool) -> Layout:
         raise PictureError("The figure has no panes; choose at least one.")
     line = montage.line
     bar = BAR_WIDTH + GAP + _BAR_TEXT * line if with_bar else 0.0
-    room = montage.width - 2 * MARGIN - bar - (montage.columns - 1) * GAP
-    wide = room / montage.columns
+    room = montage.width - 2 * MARGIN - bar - (montage.across - 1) * GAP
+    wide = room / montage.across
     if wide < line:
         raise PictureError(_TOO_SMALL)
     lines = max(len(montage.caption_lines(i, wide)) for i in range(len(montage.cells)))

@@ -121,5 +121,7 @@ def _flat(text: str) -> str:
 
 
 def _parameter(parameter: Parameter) -> str:
-    default = "auto" if parameter.default is None else parameter.default
-    return f"- `{parameter.name}` ({parameter.domain}; default {default}): {parameter.help}"
+    known = {None: "auto", True: "true", False: "false"}
+    default = parameter.default
+    shown = known[default] if default is None or isinstance(default, bool) else default
+    return f"- `{parameter.name}` ({parameter.domain}; default {shown}): {parameter.help}"

@@ -9,12 +9,16 @@ from matplotlib.figure import FigureBase
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 from app.export.frame import FONT_SIZE
+from app.export.montage_plan import INCH
 from app.export.statistics_series import Series
+from app.export.wrapping import wrapped
 from app.scene.colours import Theme
 from core.statistics import AxisLabels, Histogram
 
 _MARGINAL = 0.24
 _WIDE_DEGREES = 60
+_AXES_SHARE = 0.75
+_BELOW_NUMBERS = 18.0
 
 
 def main_axes(figure: FigureBase, labels: AxisLabels, theme: Theme) -> Axes:
@@ -25,7 +29,7 @@ def main_axes(figure: FigureBase, labels: AxisLabels, theme: Theme) -> Axes:
     dress(axes, theme)
     style: dict[str, Any] = {"fontsize": FONT_SIZE, "color": theme.ink}
     axes.set_xlabel(labels.x, **style)
-    axes.set_ylabel(labels.y, **style)
+    axes.set_ylabel(_beside_the_scale(labels.y, figure), **style)
     return axes
 
 
@@ -35,8 +39,15 @@ def marginal_axes(figure: FigureBase, labels: AxisLabels, theme: Theme) -> tuple
     beside = axes.inset_axes((1.03, 0, _MARGINAL, 1), sharey=axes)
     dress(beside, theme)
     beside.tick_params(labelleft=False, labelbottom=False, bottom=False, left=False)
-    beside.set_xlabel("share", fontsize=FONT_SIZE, color=theme.ink)
+    # Its label stands below the numbers of the main field: the last of them reaches over here.
+    beside.set_xlabel("share", fontsize=FONT_SIZE, color=theme.ink, labelpad=_BELOW_NUMBERS)
     return axes, beside
+
+
+def _beside_the_scale(label: str, figure: FigureBase) -> str:
+    """Part a label into lines that fit beside axes of the figure's height, and set its index."""
+    room = _AXES_SHARE * figure.get_window_extent().height / figure.get_figure(root=True).dpi * INCH
+    return "\n".join(wrapped(label, room, FONT_SIZE)).replace("K_nn", "$K_{nn}$")
 
 
 def dress(axes: Axes, theme: Theme) -> None:

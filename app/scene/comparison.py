@@ -21,10 +21,11 @@ METHOD_CAPACITY = CAPACITY - 2
 
 
 def error_text(metric: MetricSpec, value: float) -> str:
-    """An error as a caption shows it."""
+    """An error as a caption shows it, with three digits as in the table."""
     symbol = "D" if metric.id == "visual_error" else metric.title
     unit = "°" if metric.unit == "°" else ""
-    return f"{symbol} = {value:.3g}{unit}"
+    digits = f"{value:#.3g}".rstrip(".") if value else "0"
+    return f"{symbol} = {digits}{unit}"
 
 
 def end_panes(study: Study, comparison: Comparison, original: Points, noisy: Points) -> list[Pane]:

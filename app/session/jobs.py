@@ -5,6 +5,8 @@ advance side by side and none waits for another to finish.
 """
 
 import logging
+import os
+import sys
 import threading
 from collections import deque
 from collections.abc import Callable, Iterator
@@ -22,6 +24,17 @@ Post = Callable[[Callable[[], None]], None]
 """Runs a function on the thread that owns the session."""
 
 _PATIENCE = 0.3
+_NICE = 4
+
+
+def _give_way() -> None:
+    """Let the window have the cores first: this thread, and those that its loops start, yield.
+
+    Only Linux has a priority for each thread.
+    """
+    if sys.platform == "linux":
+        lower = os.getpriority(os.PRIO_PROCESS, 0) + _NICE
+        os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), lower)
 
 
 def _ignore(_: Any) -> None:
@@ -136,6 +149,7 @@ class Jobs:
         (self._urgent if job.urgent else self._queue).append(job)
 
     def _work(self) -> None:
+        _give_way()
         while (job := self._next()) is not None:
             more = self._advance(job)
             with self._wake:

@@ -1,6 +1,8 @@
 """The runs that a study asks for: started, gone on with, and made again where memory took them."""
 
 from collections.abc import Callable, Collection, Iterator
+from functools import lru_cache
+from typing import Any
 
 from psygnal import Signal
 
@@ -75,7 +77,7 @@ class StudyRuns:
 
     def _key(self, choice: MethodChoice) -> RunKey:
         meshes = self._meshes.key if self._meshes else ""
-        return meshes, f"{choice.method} {choice.settings.model_dump_json()}"
+        return meshes, _made_with(choice.method, tuple(choice.params.items()))
 
     def _wanted(self) -> dict[RunKey, MethodChoice]:
         return {self._key(choice): choice for choice in self._study.methods if choice.enabled}
@@ -150,3 +152,10 @@ class StudyRuns:
                 study = study.with_choice(choice.model_copy(update={"iterations": there}))
         if study != self._study:
             self.stopped_short.emit(study)
+
+
+@lru_cache(maxsize=256)
+def _made_with(method: str, params: tuple[tuple[str, Any], ...]) -> str:
+    """Say which method with which parameters; asked several times for each step of a run."""
+    settings = MethodChoice(method=method, params=dict(params)).settings
+    return f"{method} {settings.model_dump_json()}"

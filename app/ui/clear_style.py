@@ -1,12 +1,17 @@
-"""Qt's Fusion style with outlines of check boxes and radio buttons that can be seen."""
+"""Qt's Fusion style with outlines and icons that can be seen on light and dark ground."""
 
+import qtawesome
 from PySide6.QtCore import QRectF
-from PySide6.QtGui import QPainter, QPalette, QPen
+from PySide6.QtGui import QGuiApplication, QIcon, QPainter, QPalette, QPen
 from PySide6.QtWidgets import QProxyStyle, QStyle, QStyleHintReturn, QStyleOption, QWidget
 
 _Element = QStyle.PrimitiveElement
 _SQUARES = (_Element.PE_IndicatorCheckBox, _Element.PE_IndicatorItemViewItemCheck)
 _ROUNDING = 2.0
+_ICONS = {
+    QStyle.StandardPixmap.SP_TitleBarNormalButton: "mdi6.dock-window",
+    QStyle.StandardPixmap.SP_TitleBarCloseButton: "mdi6.close",
+}
 
 
 class ClearStyle(QProxyStyle):
@@ -30,6 +35,18 @@ class ClearStyle(QProxyStyle):
         if hint == QStyle.StyleHint.SH_DialogButtonBox_ButtonsHaveIcons:
             return 0
         return super().styleHint(hint, option, widget, data)
+
+    def standardIcon(
+        self,
+        icon: QStyle.StandardPixmap,
+        option: QStyleOption | None = None,
+        widget: QWidget | None = None,
+    ) -> QIcon:
+        # Qt's own on the titles of panels are dark, also on dark ground.
+        if icon in _ICONS:
+            ink = QGuiApplication.palette().color(QPalette.ColorRole.WindowText)
+            return qtawesome.icon(_ICONS[icon], color=ink.name())
+        return super().standardIcon(icon, option, widget)
 
     def drawPrimitive(
         self,

@@ -228,9 +228,7 @@ class DenoiseTab(QMainWindow):
         model, methods, plot, table = self.docks
         self.resizeDocks([model, methods], [250, 300], Qt.Orientation.Horizontal)
         bottom = self.width() - methods.width()
-        self.resizeDocks(
-            [plot, table], [bottom * 55 // 100, bottom * 45 // 100], Qt.Orientation.Horizontal
-        )
+        self.resizeDocks([plot, table], [bottom // 2] * 2, Qt.Orientation.Horizontal)
         self.resizeDocks([plot, table], [_BOTTOM_HEIGHT] * 2, Qt.Orientation.Vertical)
 
     def sizeHint(self) -> QSize:

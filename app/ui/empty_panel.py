@@ -68,7 +68,7 @@ class EmptyPanel(QWidget):
         column.setSpacing(10)
         column.addWidget(title, 0, Qt.AlignmentFlag.AlignHCenter)
         column.addWidget(_centred(f"Drop a file on the window: {formats}, or a study."))
-        column.addLayout(self._row({"open": "Open a File…", "gallery": "Gallery…"}))
+        column.addLayout(self._row({"open": "Open a file…", "gallery": "Gallery…"}))
         column.addSpacing(8)
         column.addWidget(_centred("Or begin with a bundled model:"))
         samples = QHBoxLayout()

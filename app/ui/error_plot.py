@@ -153,7 +153,14 @@ class ErrorPlot(QWidget):
             theme=theme,
             log=self.log_box.isChecked(),
             selected=self._selected,
+            reach=self._reach(),
         )
+
+    def _reach(self) -> int:
+        """Last iteration that is asked for and will come."""
+        wanted = [choice for choice in self._session.study.methods if choice.enabled]
+        runs = [(choice.iterations, self._session.run(choice.method)) for choice in wanted]
+        return max((count for count, run in runs if not (run and run.diverged)), default=1)
 
     def _redraw(self) -> None:
         if self.isVisible():

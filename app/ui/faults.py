@@ -1,7 +1,6 @@
 """Unexpected errors: a line in the log, and a dialog that helps to report them."""
 
 import logging
-import platform
 import sys
 import threading
 import traceback
@@ -137,7 +136,7 @@ def plain_words(error: BaseException) -> str:
 def details_of(error: BaseException) -> str:
     """Return all that helps to find a fault: versions, system, traceback."""
     trace = "".join(traceback.format_exception(error))
-    return f"{versions()}\nPython {platform.python_version()}, {platform.platform()}\n\n{trace}"
+    return f"{versions()}\n\n{trace}"
 
 
 def show_log() -> None:

@@ -1,4 +1,6 @@
-"""Finding a name from a few of its letters."""
+"""Finding a name from a few of its letters, or from a word of its description."""
+
+import re
 
 _WORD, _RUN, _START = 8, 10, 4
 _NO_LETTER = 1
@@ -27,17 +29,33 @@ def score(wanted: str, name: str) -> int | None:
     return max(best.values()) - _NO_LETTER * len(text) // 8
 
 
-def ranked(wanted: str, names: list[str], others: list[str] | None = None) -> list[int]:
+def ranked(
+    wanted: str,
+    names: list[str],
+    others: list[str] | None = None,
+    tips: list[str] | None = None,
+) -> list[int]:
     """Return the places of the names that fit, the best first; without letters all in order.
 
-    `others` has a second name of each, of which the better one counts.
+    `others` has a second name of each, of which the better one counts. `tips` has a sentence of
+    each, in which words are looked for as they are typed: such a find comes after names with these
+    words and before names with the letters here and there.
     """
     if not wanted.strip():
         return list(range(len(names)))
-    pairs = enumerate(zip(names, others or names, strict=True))
-    scores = {place: _better(wanted, pair) for place, pair in pairs}
-    fitting = [place for place, value in scores.items() if value is not None]
-    return sorted(fitting, key=lambda place: -scores[place])
+    tips = tips or [""] * len(names)
+    scores = {}
+    for place, (name, other, tip) in enumerate(zip(names, others or names, tips, strict=True)):
+        value = _better(wanted, (name, other))
+        literal = (begins_a_word(wanted, name), len(wanted) > 2 and begins_a_word(wanted, tip))
+        if value is not None or literal[1]:
+            scores[place] = (*literal, value or 0)
+    return sorted(scores, key=lambda place: scores[place], reverse=True)
+
+
+def begins_a_word(wanted: str, text: str) -> bool:
+    """Whether what is typed stands in a text from the beginning of a word on."""
+    return re.search(rf"\b{re.escape(wanted.strip())}", text, re.IGNORECASE) is not None
 
 
 def _better(wanted: str, names: tuple[str, str]) -> int | None:

@@ -1,5 +1,6 @@
 """Help that is made from the declarations: methods, metrics, errata, versions."""
 
+import platform
 from collections.abc import Callable
 from importlib import metadata
 from importlib.resources import files
@@ -68,8 +69,9 @@ def show_about(parent: QWidget) -> QMessageBox:
 
 
 def versions() -> str:
-    """Return the versions of all that matters, one a line."""
-    return "\n".join(f"{package} {_version(package)}" for package in _PACKAGES)
+    """Return the versions of all that matters, one a line, the system last."""
+    lines = [f"{package} {_version(package)}" for package in _PACKAGES]
+    return "\n".join([*lines, f"Python {platform.python_version()}", platform.platform()])
 
 
 def _version(package: str) -> str:

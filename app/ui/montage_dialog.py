@@ -52,6 +52,8 @@ class MontageDialog(QDialog):
         self.letters = QCheckBox("Letters (a), (b), (c)", checked=True)
         self.bar = QCheckBox("Colour bar", checked=True)
         self.bar.setEnabled(bool(self.source.look.colour_title))
+        if not self.bar.isEnabled():
+            self.bar.setToolTip("Nothing is coloured. View → Colour by gives the panes colours.")
         self.ground = QComboBox()
         for key, name in _GROUNDS.items():
             self.ground.addItem(name, key)

@@ -65,8 +65,9 @@ class CommandPalette(QDialog):
         self.line.setFocus()
 
     def _filter(self, text: str) -> None:
-        names, paths = zip(*((entry.name, entry.path) for entry in self._all), strict=True)
-        places = ranked(text, list(names), list(paths))
+        known = self._all
+        names, paths, tips = ([getattr(e, part) for e in known] for part in ("name", "path", "tip"))
+        places = ranked(text, names, paths, tips)
         self.model.show([self._all[place] for place in places])
         self.list.setCurrentIndex(self.model.index(0))
 
@@ -74,9 +75,9 @@ class CommandPalette(QDialog):
         """Close, then do what was chosen; a command that is not possible now stays listed."""
         if not index.isValid() or not (index.flags() & Qt.ItemFlag.ItemIsEnabled):
             return
-        action = self.model.entries[index.row()].action
+        entry = self.model.entries[index.row()]
         self.close()
-        action.trigger()
+        entry.run()
 
 
 class _EntryModel(QAbstractListModel):
@@ -98,13 +99,13 @@ class _EntryModel(QAbstractListModel):
         entry = self.entries[index.row()]
         texts = {
             Qt.ItemDataRole.DisplayRole: entry.path,
-            Qt.ItemDataRole.ToolTipRole: entry.action.toolTip(),
+            Qt.ItemDataRole.ToolTipRole: entry.tip,
             Qt.ItemDataRole.UserRole: entry,
         }
         return texts.get(role)
 
     def flags(self, index: QModelIndex) -> Qt.ItemFlag:
-        usable = self.entries[index.row()].action.isEnabled()
+        usable = self.entries[index.row()].usable
         return super().flags(index) if usable else Qt.ItemFlag.ItemIsSelectable
 
 
@@ -127,7 +128,7 @@ class _EntryDelegate(QStyledItemDelegate):
         strong = option.palette.color(group, roles.HighlightedText if chosen else roles.Text)
         pale = strong if chosen else option.palette.color(roles.PlaceholderText)
         room = option.rect.adjusted(8, 0, -8, 0)
-        mark = "✓  " if entry.action.isChecked() else ""
+        mark = "✓  " if entry.checked else ""
         after = self._write(painter, room, mark + entry.name, strong)
         rest = room.adjusted(after + 14, 0, 0, 0)
         self._write(painter, rest, " › ".join(entry.menus), pale)

@@ -18,9 +18,9 @@ class PlotCanvas(FigureCanvasQTAgg):
     pressed = Signal(str)
 
     def __init__(self) -> None:
+        self._frame: Frame | None = None
         self.axes = Figure().add_subplot()
         super().__init__(self.axes.figure)
-        self._frame: Frame | None = None
         self._curves: list[Artist] = []
         self._background: Any = None
         self.mpl_connect("draw_event", self._on_draw)
@@ -45,6 +45,11 @@ class PlotCanvas(FigureCanvasQTAgg):
         else:
             self._draw_curves()
             self.update()
+
+    def draw(self) -> None:
+        """Draw the chart; an empty canvas is not worth the time that the window opens later."""
+        if self._frame is not None:
+            super().draw()
 
     def _on_draw(self, _: DrawEvent) -> None:
         """Keep the frame, which has just been drawn without the curves, and add them."""

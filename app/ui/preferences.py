@@ -34,7 +34,7 @@ class PreferencesDialog(QDialog):
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle("Preferences")
         self.resize(600, 640)
-        self.tabs = QTabWidget()
+        self.tabs = QTabWidget(documentMode=True)
         for page in pages:
             self.tabs.addTab(page, page.title)
             if page.title == shown:

@@ -1,12 +1,20 @@
-"""The general page of the preferences: memory for results, and the way back to the defaults."""
+"""The general page of the preferences: theme, memory for results, and the way to the defaults."""
 
 from typing import Any
 
 from PySide6.QtCore import QSettings
-from PySide6.QtWidgets import QFormLayout, QPushButton, QSpinBox, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFormLayout,
+    QPushButton,
+    QSpinBox,
+    QVBoxLayout,
+    QWidget,
+)
 
 from app.session import Session
 from app.session.memory import default_budget, machine_memory
+from app.ui.actions import THEMES
 from app.ui.controls import FaintLabel
 
 _BUDGET = "memory_megabytes"
@@ -38,14 +46,18 @@ class GeneralPage(QWidget):
         super().__init__()
         self._window = window
         self._session: Session = window.session
+        self.theme = QComboBox()
+        for mode, name in THEMES.items():
+            self.theme.addItem(name, mode)
         self.budget = QSpinBox(minimum=_LEAST, maximum=machine_memory() // _MEGABYTE, suffix=" MB")
         self.budget.setSingleStep(256)
         self.budget.setKeyboardTracking(False)
         self.budget.setGroupSeparatorShown(True)
         self.budget.setAccessibleName("Memory for results")
-        self.reset_button = QPushButton("Reset Everything to Defaults")
+        self.reset_button = QPushButton("Reset everything to defaults")
         self._lay_out()
         self._show()
+        self.theme.activated.connect(lambda _: window.theme.choose(self.theme.currentData()))
         self.budget.valueChanged.connect(self._change)
         self.reset_button.clicked.connect(self.reset)
 
@@ -57,6 +69,7 @@ class GeneralPage(QWidget):
 
     def _lay_out(self) -> None:
         form = QFormLayout()
+        form.addRow("&Theme", self.theme)
         form.addRow("&Memory for results", self.budget)
         layout = QVBoxLayout(self)
         layout.addLayout(form)
@@ -74,6 +87,7 @@ class GeneralPage(QWidget):
         )
 
     def _show(self) -> None:
+        self.theme.setCurrentIndex(self.theme.findData(self._window.theme.mode))
         self.budget.blockSignals(True)
         self.budget.setValue(kept_budget() // _MEGABYTE)
         self.budget.blockSignals(False)

@@ -1,5 +1,6 @@
 """The rows of the results table, as Qt asks for them."""
 
+from functools import cache
 from textwrap import wrap
 from typing import Any, ClassVar
 
@@ -30,6 +31,8 @@ class ResultsModel(QAbstractTableModel):
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self.rows: tuple[ResultRow, ...] = ()
+        self._titles = headers()
+        self._texts: list[tuple[str, ...]] = []
         self._best: dict[int, frozenset[int]] = {}
         self._warning = qtawesome.icon("mdi6.alert-outline", color=_WARNING_COLOUR)
         self._dots = {method: _dot(method_colour(method)) for method in METHODS}
@@ -41,6 +44,8 @@ class ResultsModel(QAbstractTableModel):
         if not same:
             self.beginResetModel()
         self.rows = rows
+        self._titles = headers(rows)
+        self._texts = [cells(row, digits=3) for row in rows]
         columns = enumerate(METRICS, start=_FIRST_METRIC)
         self._best = {column: best_rows(rows, metric) for column, metric in columns}
         if not same:
@@ -53,12 +58,12 @@ class ResultsModel(QAbstractTableModel):
         return 0 if parent.isValid() else len(self.rows)
 
     def columnCount(self, parent: QModelIndex = _NOWHERE) -> int:
-        return 0 if parent.isValid() else len(headers())
+        return 0 if parent.isValid() else len(self._titles)
 
     def headerData(self, section: int, orientation: Qt.Orientation, role: int = _DISPLAY) -> Any:
         if orientation != Qt.Orientation.Horizontal:
             return None
-        title = headers(self.rows)[section]
+        title = self._titles[section]
         answers = {
             _DISPLAY: _short_header(title),
             Qt.ItemDataRole.ToolTipRole: title,
@@ -70,8 +75,8 @@ class ResultsModel(QAbstractTableModel):
         answer = self._ANSWERS.get(role)
         return answer(self, self.rows[index.row()], index) if answer else None
 
-    def _text(self, row: ResultRow, index: QModelIndex) -> str:
-        return cells(row, digits=3)[index.column()]
+    def _text(self, _: ResultRow, index: QModelIndex) -> str:
+        return self._texts[index.row()][index.column()]
 
     def _hint(self, row: ResultRow, index: QModelIndex) -> str:
         if index.column() in {TITLE, NOTE} and row.note:
@@ -100,6 +105,7 @@ class ResultsModel(QAbstractTableModel):
     }
 
 
+@cache
 def _short_header(title: str) -> str:
     """Break a title into short lines, without brackets and without what goes without saying."""
     words = title.replace("(", "").replace(")", "").split()

@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 from app.ui.actions import COMMANDS, Command
 from app.ui.command_list import plain
 from app.ui.controls import FaintLabel
-from app.ui.fuzzy import score
+from app.ui.fuzzy import begins_a_word, score
 from app.ui.shortcuts import Shortcuts
 
 _NATIVE = QKeySequence.SequenceFormat.NativeText
@@ -128,7 +128,7 @@ class ShortcutSheet(QDialog):
         self.table.add_gestures()
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         buttons.rejected.connect(self.reject)
-        button = buttons.addButton("Change Keys…", QDialogButtonBox.ButtonRole.ActionRole)
+        button = buttons.addButton("Change keys…", QDialogButtonBox.ButtonRole.ActionRole)
         button.clicked.connect(lambda: (self.accept(), change()))
         layout = QVBoxLayout(self)
         layout.addWidget(self.table)
@@ -147,7 +147,7 @@ class ShortcutPage(QWidget):
         self.table = ShortcutTable(shortcuts)
         self.editor = QKeySequenceEdit(maximumSequenceLength=1, clearButtonEnabled=True)
         self.message = FaintLabel("Choose a command, then press its new key.")
-        self.reset_button = QPushButton("Reset All Keys")
+        self.reset_button = QPushButton("Reset all keys")
         layout = QVBoxLayout(self)
         layout.addWidget(self.table, 1)
         label = QLabel("&New key")
@@ -188,6 +188,7 @@ class ShortcutPage(QWidget):
 
 
 def _fits(text: str, item: QTreeWidgetItem) -> bool:
-    """Whether a row's name or key fits what is typed."""
+    """Whether a row's name, key or tip fits what is typed."""
     name, key = item.text(0), item.text(1)
-    return score(text, name) is not None or (bool(text) and text.lower() in key.lower())
+    is_told = bool(text) and (text.lower() in key.lower() or begins_a_word(text, item.toolTip(0)))
+    return score(text, name) is not None or is_told

@@ -37,7 +37,9 @@ class FactsPanel(QWidget):
         self.table = QTableWidget(0, len(_HEADS))
         self.table.setHorizontalHeaderLabels(_HEADS)
         self.table.verticalHeader().hide()
-        self.table.verticalHeader().setDefaultSectionSize(_ROW_HEIGHT)
+        rows = self.table.verticalHeader()
+        rows.setMinimumSectionSize(_ROW_HEIGHT)
+        rows.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         head = self.table.horizontalHeader()
         head.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
@@ -54,6 +56,8 @@ class FactsPanel(QWidget):
             layout.addWidget(widget)
         layout.addStretch()
         self.outcome.hide()
+        # The last column wraps, so that its width decides how high the rows are.
+        rows.sectionResized.connect(lambda *_: self._fit_table())
         self._fit_table()
 
     def show_skeleton(self, skeleton: Skeleton | None) -> None:
@@ -64,6 +68,7 @@ class FactsPanel(QWidget):
         self.notes.setText(notes)
         self.notes.setVisible(bool(notes))
         self.table.setRowCount(min(len(checks), _MOST))
+        self.table.setColumnHidden(0, len(checks) < 2)
         for row, check in enumerate(checks[:_MOST]):
             for column, text in enumerate(_cells(row, check)):
                 self.table.setItem(row, column, _item(text))
@@ -76,9 +81,10 @@ class FactsPanel(QWidget):
 
     def _fit_table(self) -> None:
         """Make the table as high as its rows, so that the button below stays in sight."""
-        rows = min(max(self.table.rowCount(), 1), _ROWS_IN_SIGHT)
+        rows = min(self.table.rowCount(), _ROWS_IN_SIGHT)
+        inside = sum(self.table.rowHeight(row) for row in range(rows)) or _ROW_HEIGHT
         head = self.table.horizontalHeader().sizeHint().height()
-        self.table.setFixedHeight(head + rows * _ROW_HEIGHT + 2 * self.table.frameWidth())
+        self.table.setFixedHeight(head + inside + 2 * self.table.frameWidth())
 
 
 def _cells(row: int, check: LoopCheck) -> tuple[str, ...]:

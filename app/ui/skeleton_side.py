@@ -1,6 +1,6 @@
 """The panel beside the views: their settings, what is drawn, and the numbers."""
 
-from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
+from PySide6.QtCore import QSignalBlocker, QSize, Qt, QTimer, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
     QFrame,
@@ -54,6 +54,13 @@ class SkeletonSide(QScrollArea):
             self.tabs.setCurrentIndex(view)
         for index, panel in enumerate(self.panels):
             panel.setVisible(index == view)
+
+    def show_outcome(self, text: str) -> None:
+        """Show what a check of invariance found, where it can be seen."""
+        self.facts.show_outcome(text)
+        if text:
+            # It takes its place only when the panel is laid out anew.
+            QTimer.singleShot(0, self, lambda: self.ensureWidgetVisible(self.facts.outcome))
 
     def minimumSizeHint(self) -> QSize:
         bar = self.verticalScrollBar().sizeHint().width()

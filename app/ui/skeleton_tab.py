@@ -162,7 +162,7 @@ class SkeletonTab(QMainWindow):
 
     def _on_graph_changed(self, view: int) -> None:
         self.picked.pop(view, None)
-        self.side.facts.show_outcome("")
+        self.side.show_outcome("")
         self._show_facts()
         self._redraw_timer.start()
 
@@ -171,7 +171,7 @@ class SkeletonTab(QMainWindow):
         self._redraw_timer.start()
 
     def _on_checked(self, _: int, report: InvarianceReport) -> None:
-        self.side.facts.show_outcome(report.text)
+        self.side.show_outcome(report.text)
         self.session.notified.emit(report.text)
 
     def _check(self) -> None:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtGui import QGuiApplication
 
+from app.export.pictures import PictureError
 from app.export.statistics_bundle import write_statistics
 from app.export.statistics_plots import PLOTS, save_statistics_plot
 from app.export.statistics_tables import plot_tables
@@ -65,7 +66,7 @@ def bundle(tab: "StatisticsTab", model: Model, folder: Path) -> None:
     def write(statistics: MeshStatistics) -> None:
         try:
             write_statistics(model.name, model.mesh, statistics, folder)
-        except SaveError as error:
+        except (SaveError, PictureError) as error:
             tell(tab, str(error))
         else:
             tab.session.notified.emit(f"Saved the statistics into {folder.name}.")

@@ -122,6 +122,8 @@ class StatisticsTab(QWidget):
         layout.setSpacing(4)
         layout.addWidget(self.side)
         layout.addLayout(self._grid, 1)
+        # In no layout until it is enlarged: without a parent it would open as a window.
+        self.matrix.setParent(self)
         self._place_cells()
 
     def _place_cells(self) -> None:

@@ -4,7 +4,7 @@ import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
-from core.arrays import BoolArray, FloatArray, IntArray
+from core.arrays import BoolArray, FloatArray, IntArray, first_rows
 from core.doctor.spec import (
     FindingSpec,
     Found,
@@ -181,7 +181,7 @@ def _apart(old: Numbers, new: Numbers, face_count: int) -> tuple[Numbers, Number
     first = (owner[old] == rank[:, None]).all(axis=1)
     made = np.sort(new[:, 0, [0, 2]], axis=1)
     once = np.zeros(len(old), np.bool_)
-    once[np.unique(made, axis=0, return_index=True)[1]] = True
+    once[first_rows(made)] = True
     return old[first & once], new[first & once]
 
 

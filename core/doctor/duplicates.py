@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from core.arrays import BoolArray
+from core.arrays import BoolArray, first_rows
 from core.doctor.remembering import remembered
 from core.doctor.spec import (
     FindingSpec,
@@ -31,9 +31,8 @@ def repeated_faces(mesh: TriangleMesh) -> BoolArray:
     where = places(mesh)[mesh.faces]
     proper = (where != np.roll(where, 1, axis=1)).all(axis=1)
     corners = np.sort(where, axis=1)
-    first = np.unique(corners, axis=0, return_index=True)[1]
     repeated = np.ones(len(where), np.bool_)
-    repeated[first] = False
+    repeated[first_rows(corners)] = False
     mask: BoolArray = repeated & proper
     return mask
 

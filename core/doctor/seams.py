@@ -7,6 +7,7 @@ joining them would pinch the surface there.
 
 import numpy as np
 
+from core.arrays import first_rows
 from core.doctor.degenerate import joined, without_collapsed
 from core.doctor.duplicates import places
 from core.doctor.remembering import remembered
@@ -64,7 +65,8 @@ def _look_for_seams(mesh: TriangleMesh) -> Found | None:
 
 def _look_for_touches(mesh: TriangleMesh) -> Found | None:
     where, partners = places(mesh), seam_partners(mesh)
-    alone = np.unique(np.stack([where, partners], axis=1), axis=0)[:, 0]
+    pairs = np.stack([where, partners], axis=1)
+    alone = where[first_rows(pairs)]
     touching = np.bincount(alone)[where] > 1
     if not touching.any():
         return None

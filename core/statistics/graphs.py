@@ -4,7 +4,7 @@ import numpy as np
 import scipy
 from scipy.sparse import csr_array
 
-from core.arrays import FloatArray
+from core.arrays import FloatArray, first_rows
 from core.mesh import TriangleMesh
 from core.mesh.matrices import edge_matrix
 
@@ -31,7 +31,8 @@ def nearest_neighbour_graph(points: FloatArray, neighbours: int) -> csr_array:
     _, nearest = scipy.spatial.KDTree(points).query(points, k=np.arange(1, k + 1))
     pairs = np.stack([np.repeat(np.arange(m), k), nearest.ravel()], axis=1)
     pairs.sort(axis=1)
-    one, other = np.unique(pairs[pairs[:, 0] != pairs[:, 1]], axis=0).T
+    pairs = pairs[pairs[:, 0] != pairs[:, 1]]
+    one, other = pairs[first_rows(pairs)].T
     lengths = np.linalg.norm(points[one] - points[other], axis=1)
     rows, columns = np.concatenate([one, other]), np.concatenate([other, one])
     return csr_array((np.tile(lengths, 2), (rows, columns)), shape=(m, m))

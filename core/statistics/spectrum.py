@@ -18,7 +18,7 @@ from core.statistics.progress import Progress, part_of
 
 MatrixName = Literal["laplacian", "normalized_laplacian"]
 
-_SYMBOLS = {"laplacian": "L", "normalized_laplacian": "𝓛"}
+_SYMBOLS = {"laplacian": "L", "normalized_laplacian": "ℒ"}
 _POINTS = 1000
 _PROBE_ENTRIES = 400_000
 _ROUNDING = 1e-9

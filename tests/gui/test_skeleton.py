@@ -211,6 +211,24 @@ def test_check_invariance_tells_the_outcome(qtbot, tab):
     assert "the same graph" in tab.side.facts.outcome.text()
 
 
+def test_the_outcome_of_a_check_comes_into_sight(qtbot, tab):
+    tab.side.verticalScrollBar().setValue(0)
+    qtbot.mouseClick(tab.side.facts.check, Qt.MouseButton.LeftButton)
+    outcome, sight = tab.side.facts.outcome, tab.side.viewport()
+
+    def is_seen():
+        end = outcome.mapTo(sight, outcome.rect().bottomLeft())
+        return outcome.isVisible() and sight.rect().contains(end)
+
+    qtbot.waitUntil(is_seen, timeout=LONG)
+
+
+def test_the_reason_of_a_part_is_not_cut_off(qtbot, tab):
+    table = tab.side.facts.table
+    qtbot.waitUntil(lambda: table.rowHeight(0) >= table.sizeHintForRow(0))
+    assert table.viewport().height() >= table.rowHeight(0)
+
+
 def test_layers_and_colours_are_part_of_the_study(qtbot, tab, settle, hands):
     for name in ("show_bands", "show_curves", "show_graph", "show_shells"):
         before = getattr(tab.session.study.skeleton, name)

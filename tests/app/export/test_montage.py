@@ -42,6 +42,13 @@ def test_pictures_are_square_side_by_side_and_a_short_last_row_is_centred():
     assert with_bar.cell_width < layout.cell_width
 
 
+def test_fewer_pictures_than_columns_fill_the_width():
+    pair = replace(MONTAGE, cells=CELLS[:2])
+    layout = montage_layout(pair, with_bar=False)
+    first, last = (layout.cell(pair, i) for i in (0, 1))
+    assert last[0] + last[2] == pytest.approx(9 - first[0])
+
+
 def test_the_size_in_centimetres_and_dpi_is_the_size_in_pixels():
     picture = montage_pixels(montage_figure(replace(MONTAGE, height=6, dpi=127), SOURCE))
     assert picture.shape == (300, 450, 4)

@@ -133,6 +133,17 @@ def test_frame_is_equal_while_only_markers_move():
     assert frame(FALLING) != frame(FALLING, selected="mean")
 
 
+def test_frame_stays_while_a_run_goes_on():
+    def frame(*values):
+        curve = ErrorCurve("mean", "Mean filter", "#e69f00", values, iteration=1)
+        return ErrorChart((curve,), 0.4, METRIC, LIGHT, log=True, reach=9).frame
+
+    assert frame(0.4, 0.21) == frame(0.4, 0.21, 0.2, 0.22)
+    assert frame(0.4, 0.21) != frame(0.4, 0.21, 0.01)
+    assert frame(0.4).last == 9
+    assert frame(*[0.3] * 20).last == 19
+
+
 def test_svg_holds_text_as_text_and_is_the_same_every_time(tmp_path):
     for name in ("first.svg", "second.svg"):
         save_error_plot(tmp_path / name, [FALLING, BURST], 0.4, METRIC)

@@ -25,3 +25,7 @@ def test_an_entry_has_formula_parameters_and_source():
         assert text in part
     assert ":func:" not in page
     assert METHODS["diffusion"].formula in page
+
+
+def test_a_switch_is_written_as_it_is_set():
+    assert "`clamp_negative` (true or false; default true)" in reference_page()

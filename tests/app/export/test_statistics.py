@@ -6,6 +6,7 @@ import json
 
 import numpy as np
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from scipy.io import mmread
 
@@ -131,6 +132,22 @@ def test_tables_hold_the_numbers_of_every_model(ball, plot):
         assert tuple(rows[0]) == table.columns
         assert rows[0]["model"] == "ball"
     assert "\t" in plot_tables(plot, [ball])[0].text("\t")
+
+
+@pytest.mark.parametrize("plot", PLOTS.values(), ids=PLOTS)
+def test_labels_of_a_small_plot_are_whole_and_apart(ball, plot):
+    figure = Figure(figsize=(2, 2), dpi=100, layout="constrained")
+    canvas = FigureCanvasAgg(figure)
+    axes = plot.draw(figure, [ball], LIGHT)
+    canvas.draw()
+    labels = [
+        one for each in (axes, *axes.child_axes) for one in (each.xaxis.label, each.yaxis.label)
+    ]
+    boxes = [one.get_window_extent() for one in labels if one.get_text()]
+    assert all(box.y0 >= 0 and box.y1 <= 200 for box in boxes)
+    numbers = [tick.get_window_extent() for tick in axes.get_xticklabels() if tick.get_text()]
+    for child in axes.child_axes:
+        assert child.xaxis.label.get_window_extent().count_overlaps(numbers) == 0
 
 
 @pytest.mark.parametrize("suffix", [".png", ".svg", ".pdf"])

@@ -1,8 +1,11 @@
 """Work beside the window: turns, cancelling, closing while a step cannot be cut."""
 
+import os
 import queue
+import sys
 import threading
 import time
+from itertools import islice
 
 import pytest
 
@@ -52,6 +55,15 @@ def test_jobs_take_turns(owner, gate):
     gate.set()
     owner.work_until(lambda: len(ended) == 2)
     assert seen == ["a0", "b0", "a1", "b1", "a2", "b2"]
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux has priorities of threads")
+def test_work_gives_way_to_the_window(owner):
+    seen, ended = [], []
+    nice = iter(lambda: os.getpriority(os.PRIO_PROCESS, 0), None)
+    owner.jobs.start(Job(islice(nice, 1), seen.append, on_done=lambda: ended.append(1)))
+    owner.work_until(lambda: ended)
+    assert seen[0] > os.getpriority(os.PRIO_PROCESS, 0)
 
 
 def test_urgent_jobs_are_done_before_the_others(owner, gate):

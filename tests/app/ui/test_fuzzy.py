@@ -48,3 +48,10 @@ def test_the_better_of_two_names_counts():
 
 def test_without_letters_all_stay_in_order():
     assert ranked("  ", ["b", "a"]) == [0, 1]
+
+
+def test_a_word_of_the_tip_comes_after_names_and_before_scattered_letters():
+    names = ["About Heat Maps", "Help About Thesis", "Distance", "Open"]
+    tips = ["", "", "Heat map of each vertex", "Wheat"]
+    assert ranked("heat", names, names, tips) == [0, 2, 1]
+    assert ranked("he", names, names, tips) == [1, 0]

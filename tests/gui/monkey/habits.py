@@ -1,7 +1,9 @@
 """What the random user does: each habit acts once and says what it did."""
 
+import hands
+from aims import Aims, name_of
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
-from PySide6.QtGui import QCursor, QDropEvent, QKeySequence
+from PySide6.QtGui import QDropEvent, QKeySequence
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractSlider,
@@ -11,12 +13,10 @@ from PySide6.QtWidgets import (
     QDialog,
     QDockWidget,
     QLineEdit,
-    QWidget,
 )
-
-import hands
-from app.ui.actions import COMMANDS, THEMES
 from pyvistaqt import QtInteractor
+
+from app.ui.actions import COMMANDS, THEMES
 
 _KEYS = (
     "Tab", "Return", "Escape", "Space", "Left", "Right", "Up", "Down", "Home", "End", "PgUp",
@@ -31,20 +31,11 @@ _MODIFIERS = (
 )
 
 
-class Habits:
-    """Everything that can be done with a window.
+class Habits(Aims):
+    """Everything that can be done with a window."""
 
-    Parameters
-    ----------
-    random : random.Random
-        Decides.
-    good, bad : list of Path
-        Files that open, and files that do not.
-    """
-
-    def __init__(self, random, good, bad):
-        self.random, self._good, self._bad = random, good, bad
-        self.window = None
+    def __init__(self, random, good, bad, say):
+        super().__init__(random, good, bad, say)
         self._weights = {
             self.click: 24, self.double_click: 4, self.drag: 7, self.drag_in_viewport: 5,
             self.turn_wheel: 6, self.type_key: 8, self.shortcut: 12, self.command: 12,
@@ -69,21 +60,21 @@ class Habits:
         widget, point = self._aim()
         button, modifier = self.random.choice(_BUTTONS), self.random.choice(_MODIFIERS)
         QTest.mouseClick(widget, button, modifier, point)
-        return f"click {_name(widget)} at {point.toTuple()} with {button.name}, {modifier.name}"
+        return f"click {name_of(widget)} at {point.toTuple()} with {button.name}, {modifier.name}"
 
     def double_click(self):
         widget, point = self._aim()
         QTest.mouseClick(widget, hands.LEFT, hands.NONE, point)
         if hands.isValid(widget):
             QTest.mouseDClick(widget, hands.LEFT, hands.NONE, point)
-        return f"double-click {_name(widget)} at {point.toTuple()}"
+        return f"double-click {name_of(widget)} at {point.toTuple()}"
 
     def drag(self, widget=None):
         widget = widget or self._aim()[0]
         start, end = (hands.some_point(self.random, widget) for _ in range(2))
         button, modifier = self.random.choice(_BUTTONS), self.random.choice(_MODIFIERS)
         hands.drag(widget, start, end, button, modifier)
-        return f"drag {_name(widget)} {start.toTuple()} to {end.toTuple()} with {button.name}"
+        return f"drag {name_of(widget)} {start.toTuple()} to {end.toTuple()} with {button.name}"
 
     def drag_in_viewport(self):
         areas = self._shown(QtInteractor)
@@ -93,7 +84,7 @@ class Habits:
         widget, point = self._aim()
         steps = self.random.choice((-5, -1, 1, 5))
         hands.wheel(widget, point, steps, self.random.choice(_MODIFIERS))
-        return f"wheel {steps} on {_name(widget)} at {point.toTuple()}"
+        return f"wheel {steps} on {name_of(widget)} at {point.toTuple()}"
 
     # -- keys
 
@@ -117,7 +108,7 @@ class Habits:
         QTest.keyClicks(box, text)
         if hands.isValid(box):
             QTest.keyClick(box, Qt.Key.Key_Return)
-        return f"type {text!r} into {_name(box)}"
+        return f"type {text!r} into {name_of(box)}"
 
     # -- widgets with a value
 
@@ -129,7 +120,7 @@ class Habits:
         place = self.random.randrange(box.count())
         box.setCurrentIndex(place)
         box.activated.emit(place)
-        return f"choose {place} of {_name(box)}"
+        return f"choose {place} of {name_of(box)}"
 
     def slide(self):
         sliders = self._shown(QAbstractSlider)
@@ -140,7 +131,7 @@ class Habits:
         if slider.maximum() > 100:  # many iterations take long and show nothing new
             value = slider.minimum() + (value - slider.minimum()) // 20
         slider.setValue(value)
-        return f"slide {_name(slider)} to {value}"
+        return f"slide {name_of(slider)} to {value}"
 
     # -- commands
 
@@ -198,7 +189,7 @@ class Habits:
 
     def answer_dialog(self):
         dialog = hands.scope()
-        said = f"answer {_name(dialog)} {dialog.windowTitle()!r}"
+        said = f"answer {name_of(dialog)} {dialog.windowTitle()!r}"
         if self.random.random() < 0.4 or not hands.press_button(self.random, dialog):
             QTest.keyClick(dialog, self.random.choice((Qt.Key.Key_Escape, Qt.Key.Key_Return)))
         return said
@@ -211,7 +202,7 @@ class Habits:
         if not closable:
             return self.rest()
         widget = self.random.choice(closable)
-        said = f"close {_name(widget)}"
+        said = f"close {name_of(widget)}"
         widget.close()
         return said
 
@@ -219,7 +210,7 @@ class Habits:
         size = self.random.randint(200, 1900), self.random.randint(150, 1060)
         window = hands.scope() or self.window
         window.resize(*size)
-        return f"resize {_name(window)} to {size}"
+        return f"resize {name_of(window)} to {size}"
 
     def close_window(self):
         if hands.scope() is None:
@@ -230,50 +221,3 @@ class Habits:
         milliseconds = self.random.choice((10, 50, 100, 300))
         QTest.qWait(milliseconds)
         return f"rest {milliseconds} ms"
-
-    # -- aiming
-
-    def _aim(self):
-        """Choose a widget, rare kinds as often as common ones, and a point of it."""
-        window = self.random.choice(hands.windows())
-        if window is hands.file_dialog():  # it could lead anywhere on the disk
-            window = self.window
-        kinds = hands.targets(window)
-        if not kinds:
-            return self.window, self.window.rect().center()
-        widget = self.random.choice(kinds[self.random.choice(sorted(kinds))])
-        point = hands.some_point(self.random, widget)
-        QCursor.setPos(widget.mapToGlobal(point))
-        return widget, point
-
-    def _shown(self, kind):
-        window = self.random.choice(hands.windows())
-        if window is hands.file_dialog():
-            return []
-        known = window.findChildren(kind)
-        return [w for w in known if w.isEnabled() and not w.visibleRegion().isEmpty()]
-
-    def _press(self, sequence):
-        """Press a key where the focus is."""
-        keys = sequence[0]
-        widget = hands.scope() or QApplication.focusWidget() or self.window
-        if hands.file_dialog() is None:
-            QTest.keyClick(widget, keys.key(), keys.keyboardModifiers())
-
-    def _trigger(self, command):
-        action = self.window.actions_[command]
-        if hands.scope() is None and action.isEnabled():
-            action.trigger()
-        return f"command {command}"
-
-    def _some_file(self):
-        files = self._good if self.random.random() < 0.75 else self._bad
-        return self.random.choice(files)
-
-
-def _name(widget):
-    if not hands.isValid(widget):
-        return "something that is gone"
-    said: QWidget = widget
-    name = said.accessibleName() or said.objectName() or said.windowTitle()
-    return f"{type(said).__name__} {name!r}"

@@ -6,194 +6,120 @@ The same seed does the same again, as far as threads allow.
 
 import argparse
 import faulthandler
-import gc
 import json
 import os
 import random
-import shutil
-import sys
-import tempfile
-import threading
 import time
 from collections import deque
 from pathlib import Path
 
+import hands
 import world
+from habits import Habits
+from house import House, inhabit
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 
 _PIECE = 100
 _LAST = 30
-_HANG = 60
-_SETTLE = 60
-_BUDGET = 64_000_000
+_HANG = 120
 
 
 class Player:
-    """Plays with a window; when that closes, with the next one."""
+    """Plays with a window; when that closes, with the next one.
+
+    Parameters
+    ----------
+    folder : Path
+        Where the files are.
+    seed : int
+        Decides what is done.
+    log : file
+        Gets a line for each action, at once: a process that crashes cannot tell any more.
+    """
 
     def __init__(self, folder, seed, log):
-        from hands import Rescuer
-        from habits import Habits
-        from watch import Faults
-
-        self.random = random.Random(seed)
-        self.faults, self._seed, self._log = Faults(), seed, log
-        self._rescuer = Rescuer(self.random)
-        self.home, *_ = good, bad = world.make_models(folder)
-        self.habits = Habits(self.random, good, bad)
-        self.window, self.windows = None, 0
-        self.last, self.measured, self.slowest = deque(maxlen=_LAST), [], (0, "")
-        self.faults.install()
+        self._random = random.Random(seed)
+        self._seed, self._log = seed, log
+        self._rescuer = hands.Rescuer(self._random)
+        good, bad = world.make_models(folder)
+        self._home, self._habits = good[0], Habits(self._random, good, bad, self._say)
+        self.house, self.done = House(), 0
+        self.last, self.slowest = deque(maxlen=_LAST), (0, "")
 
     def play(self, actions):
-        """Do a number of things and come to rest after every piece."""
-        self.open_window()
-        self.come_home()
+        """Do a number of things, and come to rest after every piece."""
+        self._open_window()
+        self._come_home()
         for number in range(1, actions + 1):
             self._do(number)
-            if self.faults.found:
-                return
             if number % _PIECE == 0 or number == actions:
-                self.come_home()
-        self.close_window()
-
-    def open_window(self):
-        from app.ui.main_window import MainWindow
-
-        self.window = self.habits.window = MainWindow()
-        self.windows += 1
-        self.faults.watch(self.window)
-        self.window.resize(1280, 800)
-        self.window.show()
-        self.window.activateWindow()
-        self._wait(self.window.isActiveWindow)
-
-    def close_window(self):
-        """Close the window, unless that has been done, and see that nothing of it is left."""
-        from PySide6.QtCore import QCoreApplication, QEvent
-
-        window, self.window, self.habits.window = self.window, None, None
-        window.files.discard_changes()
-        window.close()
-        window.deleteLater()
-        self._wait(lambda: not window.isVisible())
-        del window
-        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-        gc.collect()
-        self._wait(lambda: not burnish_threads(), "threads of Burnish to end")
-
-    def come_home(self):
-        """Close all dialogs, open the same small study and measure when everything rests."""
-        from app.session.documents import Document
-        from core.study import Study
-
-        self._close_dialogs()
-        session = self.window.session
-        session.cancel()
-        study = Study(model=str(self.home[0]))
-        self.window.files.documents.open(study, Document(saved=study), "Home")
-        self.window.showNormal()
-        self.window.resize(1280, 800)
-        self.window.tabs.setCurrentIndex(0)
-        session.set_budget(_BUDGET)
-        self._wait(lambda: session.study.model == study.model and self._rests())
-        self._close_dialogs()
-        self._measure()
-
-    def _rests(self):
-        session = self.window.session
-        return session.meshes and session.activity is None and not session.tasks.states()
-
-    def _measure(self):
-        from watch import measure
-
-        self.measured.append({"windows": self.windows, **measure(self.window)})
-
-    def _close_dialogs(self):
-        from PySide6.QtWidgets import QApplication
-
-        import hands
-
-        for _ in range(20):
-            known = {w for w in QApplication.topLevelWidgets() if w.isVisible()} - {self.window}
-            top = hands.scope() or next(iter(known), None)
-            if top is None or top is self.window:
+                self._come_home()
+            if self.house.faults.found:
                 return
-            top.close()
-            self._wait_a_little()
-
-    def _do(self, number):
-        from PySide6.QtWidgets import QApplication
-
-        faulthandler.dump_traceback_later(_HANG, exit=True)
-        started = time.monotonic()
-        # Each action by itself: one that went otherwise does not change all that follow.
-        self.random.seed(f"{self._seed}:{number}")
-        self._rescuer.begin()
-        said = self.habits.act()
-        self._rescuer.end()
-        self._wait_a_little()
-        if QApplication.activeWindow() is None:  # a window manager would choose one
-            self.window.activateWindow()
-        seconds = time.monotonic() - started
-        self._note(f"{number}: {said} ({seconds:.2f} s)")
-        self.slowest = max(self.slowest, (round(seconds, 2), said))
-        if not self.window.isVisible():
-            self.close_window()
-            self.open_window()
-
-    def _note(self, line):
-        self.last.append(line)
-        self._log.write(f"{line}\n")
-        self._log.flush()
-
-    def _wait_a_little(self):
-        from PySide6.QtTest import QTest
-
-        QTest.qWait(1)
-
-    def _wait(self, condition, what="rest"):
-        from PySide6.QtTest import QTest
-
-        faulthandler.dump_traceback_later(_SETTLE + _HANG, exit=True)
-        end = time.monotonic() + _SETTLE
-        while not condition():
-            if time.monotonic() > end:
-                self.faults.found.append(f"Waited in vain for {what}.")
-                return
-            QTest.qWait(10)
+        self.house.close_window()
 
     def report(self):
-        """What happened, for whoever started this."""
+        """Return what happened, for whoever started this."""
+        faults = self.house.faults.found
         return {
-            "seed": self._seed, "done": len(self.last) and int(self.last[-1].split(":")[0]),
-            "slowest": self.slowest, "measured": self.measured, "faults": self.faults.found,
-            "last": list(self.last) if self.faults.found else [],
+            "seed": self._seed, "done": self.done, "slowest": self.slowest,
+            "measured": self.house.measured, "faults": faults,
+            "last": list(self.last) if faults else [],
         }  # fmt: skip
 
+    def _open_window(self):
+        self.house.open_window()
+        self._habits.window = self.house.window
 
-def burnish_threads():
-    """Return the threads that belong to a window."""
-    return [t.name for t in threading.enumerate() if t.name.startswith("burnish")]
+    def _come_home(self):
+        self.house.come_home(self._home)
+        self.house.measure()
+
+    def _do(self, number):
+        faulthandler.dump_traceback_later(_HANG, exit=True)
+        # Each action by itself: one that went otherwise does not change all that follow.
+        self._random.seed(f"{self._seed}:{number}")
+        started = time.monotonic()
+        self._rescuer.begin()
+        said = self._habits.act()
+        self._rescuer.end()
+        QTest.qWait(1)
+        self._note(number, said, time.monotonic() - started)
+        if not self.house.window.isVisible():
+            self._habits.window = None
+            self.house.close_window()
+            self._open_window()
+        elif QApplication.activeWindow() is None:  # a window manager would choose one
+            self.house.window.activateWindow()
+
+    def _note(self, number, said, seconds):
+        self.done, line = number, f"{number}: {said} ({seconds:.2f} s)"
+        self.last.append(line)
+        self.slowest = max(self.slowest, (round(seconds, 2), said))
+        self._say(line)
+
+    def _say(self, line):
+        print(line, file=self._log, flush=True)
 
 
 def main():
-    parser = argparse.ArgumentParser()
+    parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--actions", type=int, default=100)
-    parser.add_argument("--log", type=Path, default=os.devnull, help="gets a line for each action")
+    parser.add_argument("--log", default=os.devnull, help="gets a line for each action")
     words = parser.parse_args()
-    faulthandler.enable()
-    log = words.log.open("w", encoding="utf-8")
-    folder = Path(tempfile.mkdtemp(prefix="burnish-monkey-"))
-    world.move_in(folder)
-    application = world.set_up(folder)
-    player = Player(folder, words.seed, log)
-    player.play(words.actions)
-    print(json.dumps(player.report()), flush=True)  # noqa: T201
-    del application
-    shutil.rmtree(folder, ignore_errors=True)
-    os._exit(bool(player.faults.found))
+
+    def live(folder: Path) -> int:
+        with open(words.log, "w", encoding="utf-8") as log:
+            player = Player(folder, words.seed, log)
+            player.play(words.actions)
+        print(json.dumps(player.report()))  # noqa: T201
+        return bool(player.house.faults.found)
+
+    words.log = os.path.abspath(words.log)
+    inhabit(live)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

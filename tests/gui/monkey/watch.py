@@ -30,6 +30,8 @@ class Faults:
         sys.excepthook = lambda _, error, __: self._add(error)
         sys.unraisablehook = lambda unraisable: self._add(unraisable.exc_value)
         threading.excepthook = lambda thrown: self._add(thrown.exc_value)
+        # Matplotlib prints what is raised while a plot is drawn, and goes on.
+        traceback.print_exc = lambda *_, **__: self._add(sys.exc_info()[1])
         qInstallMessageHandler(self._on_message)
         logging.getLogger().addHandler(self._listener)
         warnings.simplefilter("error")

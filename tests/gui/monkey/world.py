@@ -4,17 +4,19 @@ import os
 import time
 from pathlib import Path
 
+# pyvistaqt asks qtpy for a binding; say which before either is imported.
+os.environ.setdefault("QT_API", "pyside6")
+
 _FOLDERS = ("STATE", "CACHE", "CONFIG", "DATA")
 
 
 def move_in(folder: Path) -> None:
-    """Make a folder the home of this process; call it before Qt is imported."""
+    """Make a folder the home of this process."""
     import matplotlib.font_manager  # noqa: F401 - keeps the place of its cache of fonts
 
     for kind in _FOLDERS:
         os.environ[f"XDG_{kind}_HOME"] = str(folder / kind.lower())
     os.environ["HOME"] = str(folder)
-    os.environ.setdefault("QT_API", "pyside6")
     os.chdir(folder)
 
 

@@ -56,6 +56,21 @@ def test_the_palette_does_not_run_what_is_impossible_now(user, qtbot):
     dialog.close()
 
 
+def test_the_palette_outlives_a_menu_that_is_filled_anew_by_what_was_chosen(user, ball_file, qtbot):
+    """The list asks for the entry once more when its action has been deleted."""
+    user.open(ball_file)
+    dialog = palette(user)
+    names = [(*entry.menus, entry.name) for entry in dialog.model.entries]
+    index = dialog.model.index(names.index(("View", "Compare Panes", "With", "Noisy input")))
+    chosen = dialog.model.entries[index.row()]
+    dialog.list.scrollTo(index)
+    place = dialog.list.visualRect(index).center()
+    qtbot.mouseClick(dialog.list.viewport(), Qt.MouseButton.LeftButton, pos=place)
+    assert not dialog.isVisible()
+    user.rest()
+    chosen.run()  # does nothing, whether or not its action is still there
+
+
 def test_the_sheet_of_shortcuts_is_searched_by_name_and_key(user, qtbot):
     user.press(Qt.Key.Key_Question)
     sheet = user.window.findChild(ShortcutSheet)

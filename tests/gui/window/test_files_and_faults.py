@@ -5,7 +5,8 @@ import threading
 from urllib.error import URLError
 
 import pytest
-from PySide6.QtCore import QSettings, Qt, qWarning
+from PySide6.QtCore import QSettings, Qt, QTimer, qWarning
+from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QApplication, QMessageBox, QPushButton
 
 from app.cli import main
@@ -18,6 +19,7 @@ from app.ui.preferences_general import GeneralPage, kept_budget
 from app.ui.thumbnails import thumbnail
 from core.comparison import run
 from core.smoothing import METHODS
+from core.study_files import read_study_file
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 LEFT = Qt.MouseButton.LeftButton
@@ -193,7 +195,62 @@ def test_an_unexpected_error_is_told_and_the_session_goes_on(user, ball_file, fa
     user.rest()
 
 
-def test_errors_in_threads_and_slots_are_caught_once(user, ball_file, faults, caplog):
+def test_after_an_error_in_a_slot_the_study_is_whole_and_can_be_saved(
+    user, ball_file, faults, tmp_path, monkeypatch
+):
+    opened, file = [], tmp_path / "after.burnish"
+    monkeypatch.setattr(QDesktopServices, "openUrl", opened.append)
+    user.open(ball_file)
+    study = user.window.session.study
+
+    def stumble():
+        raise ZeroDivisionError("a slot stumbled")
+
+    QTimer.singleShot(0, stumble)
+    user.wait(lambda: boxes(user))
+    box = boxes(user)[0]
+    assert "ZeroDivisionError: a slot stumbled" in box.informativeText()
+    assert "Your study is as it was" in box.informativeText()
+    user.qtbot.mouseClick(button(box, "Show the log"), LEFT)
+    assert [url.toLocalFile() for url in opened] == [str(log_file())]
+    assert box.isVisible()
+    user.qtbot.keyClick(box, Qt.Key.Key_Escape)
+    user.wait(lambda: not boxes(user))
+    assert user.window.session.study is study
+
+    user.window.activateWindow()
+    user.wait(user.window.isActiveWindow)
+    user.type_iterations("mean", 3)
+    user.rest()
+    user.press(Qt.Key.Key_S, CONTROL)
+    user.answer_file_dialog(file)
+    user.wait(lambda: "*" not in user.window.windowTitle())
+    saved = read_study_file(file).study
+    assert saved.choice("mean").iterations == 3
+    assert saved.noise == study.noise
+
+
+def test_an_error_of_another_place_is_told_when_the_first_was_read(user, faults):
+    def report(error):
+        try:
+            raise error
+        except LookupError as raised:
+            faults.report(raised)
+
+    report(KeyError("first"))
+    user.wait(lambda: boxes(user))
+    report(KeyError("first"))
+    user.qtbot.mouseClick(button(boxes(user)[0], "Close"), LEFT)
+    user.wait(lambda: not boxes(user))
+    try:
+        raise IndexError("second")
+    except IndexError as raised:
+        faults.report(raised)
+    user.wait(lambda: boxes(user))
+    assert "second" in boxes(user)[0].informativeText()
+
+
+def test_errors_in_threads_are_told_once(user, ball_file, faults, caplog):
     user.open(ball_file)
 
     def fail():

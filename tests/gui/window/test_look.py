@@ -2,14 +2,17 @@
 
 import pytest
 from matplotlib.colors import to_rgba
-from PySide6.QtCore import QSettings, Qt
+from PySide6.QtCore import QRegularExpression, QSettings, Qt
 from PySide6.QtGui import QColor, QGuiApplication, QPalette
-from PySide6.QtWidgets import QCheckBox
+from PySide6.QtWidgets import QAbstractButton, QCheckBox
 
+from app.ui.preferences import open_preferences
+from app.ui.preferences_general import GeneralPage
 from app.ui.theme import current_theme
 
 LEAST_RATIO = 3.0
 TEXT_RATIO = 4.5
+TITLE_BUTTON = QRegularExpression("^qt_dockwidget_")
 
 
 def luminance(colour):
@@ -51,6 +54,26 @@ def test_pale_text_can_be_read(user, mode):
     palette = user.window.palette()
     pale = palette.color(QPalette.ColorRole.PlaceholderText)
     assert ratio(pale, palette.color(QPalette.ColorRole.Window)) >= TEXT_RATIO
+
+
+@pytest.mark.parametrize("mode", ["light", "dark"])
+def test_the_buttons_of_a_panel_stand_out_from_its_title(user, qtbot, mode):
+    user.window.actions_[f"theme_{mode}"].trigger()
+    ground = user.window.palette().color(QPalette.ColorRole.Window)
+    for button in user.denoise.docks[0].findChildren(QAbstractButton, TITLE_BUTTON):
+        icon = button.icon().pixmap(button.size()).toImage()
+        inks = [icon.pixelColor(x, y) for x in range(icon.width()) for y in range(icon.height())]
+        assert max(ratio(ink, ground) for ink in inks if ink.alpha() > 200) >= TEXT_RATIO
+
+
+@pytest.mark.parametrize("mode", ["light", "dark"])
+def test_the_theme_is_a_preference(user, qtbot, mode):
+    choice = open_preferences(user.window).findChild(GeneralPage).theme
+    choice.setFocus()
+    qtbot.keyClick(choice, Qt.Key.Key_End if mode == "dark" else Qt.Key.Key_Home)
+    qtbot.keyClicks(choice, mode)
+    assert QSettings().value("theme_mode") == mode
+    assert current_theme().dark == (mode == "dark")
 
 
 @pytest.fixture
