@@ -7,7 +7,7 @@ from PySide6.QtGui import QColor, QGuiApplication, QPalette
 from PySide6.QtWidgets import QApplication
 
 from app.scene.colours import DARK, LIGHT, Theme
-from app.ui.clear_style import ClearStyle
+from app.ui.style_sheet import style_sheet
 
 Mode = Literal["system", "light", "dark"]
 
@@ -16,15 +16,6 @@ _SCHEMES = {
     "light": Qt.ColorScheme.Light,
     "dark": Qt.ColorScheme.Dark,
 }
-
-_SHEET = """
-QToolTip { padding: 4px; }
-QDockWidget { font-weight: 600; }
-QDockWidget::title { padding: 5px 8px; }
-QToolBar { spacing: 2px; padding: 3px 6px; border: none; }
-QToolButton { padding: 3px 6px; }
-QStatusBar::item { border: none; }
-"""
 
 _Role = QPalette.ColorRole
 # Window, base, alternate base, button, text, dim text, highlight, dividing line.
@@ -36,12 +27,14 @@ _ROLES = {
 
 def set_mode(mode: Mode) -> None:
     """Choose light, dark, or what the system says."""
-    QApplication.setStyle(ClearStyle())
+    QApplication.setStyle("Fusion")
     QGuiApplication.styleHints().setColorScheme(_SCHEMES[mode])
     # Not every platform follows the request, so the palette is set as well.
     dark = mode == "dark" or (mode == "system" and system_is_dark())
     QApplication.setPalette(_palette(dark=dark))
-    QApplication.instance().setStyleSheet(_SHEET)
+    _, base, *_, dim, highlight, _ = _ROLES[dark]
+    sheet = style_sheet(dark=dark, ground=base, outline=dim, accent=highlight)
+    QApplication.instance().setStyleSheet(sheet)
 
 
 def system_is_dark() -> bool:

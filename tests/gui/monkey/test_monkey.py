@@ -10,7 +10,7 @@ import os
 import pytest
 
 ACTIONS = int(os.environ.get("BURNISH_MONKEY_ACTIONS", "0"))
-EACH = 2500 if ACTIONS else 60
+EACH = min(ACTIONS, 2500) or 60
 SEEDS = math.ceil(ACTIONS / EACH) or 4
 FIRST = int(os.environ.get("BURNISH_MONKEY_SEED", "1"))
 
