@@ -27,7 +27,7 @@ from core.study import Study
 _REDRAW_MS = 30
 _BOTTOM_HEIGHT = 230
 _PAUSE = 4
-_LEFT_WIDTH = 240
+LEFT_WIDTH = 240
 _LAYOUT = "denoise_layout"
 
 
@@ -143,7 +143,7 @@ class DenoiseTab(QMainWindow):
         self.viewport = Viewport()
         self.setCentralWidget(self.viewport)
         self.model = ModelPanel(self.session)
-        self.model.setMinimumWidth(_LEFT_WIDTH)
+        self.model.setMinimumWidth(LEFT_WIDTH)
         self.methods = MethodsPanel(self.session)
         self.plot = ErrorPlot(self.session)
         self.table = ResultsTable(self.session)

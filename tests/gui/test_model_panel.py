@@ -3,8 +3,10 @@
 import pytest
 from PySide6.QtCore import QPoint, Qt
 
+from app.ui.denoise_tab import LEFT_WIDTH
 from app.ui.model_panel import ModelPanel
 from app.ui.noise_controls import position_of, sigma_at
+from app.ui.theme import set_mode
 from core.io import save_mesh
 from core.mesh import primitives
 from core.noise import add_noise
@@ -113,5 +115,6 @@ def test_separate_noisy_file_replaces_the_noise(qtbot, session, model, tmp_path)
 
 
 def test_model_panel_fits_its_width(model):
+    set_mode("light")  # the window's style, whatever other tests have set
     inside = model.noise.parentWidget()
-    assert inside.minimumSizeHint().width() <= 220
+    assert inside.minimumSizeHint().width() <= LEFT_WIDTH
