@@ -19,6 +19,7 @@ QToolBar { spacing: 2px; padding: 3px 6px; border: none; }
 QToolButton { padding: 3px 6px; }
 QStatusBar::item { border: none; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
+QCheckBox, QRadioButton { padding: 2px 0; }
 QCheckBox::indicator, QRadioButton::indicator, QAbstractItemView::indicator {
     width: 12px; height: 12px;
     border: 1px solid $outline; border-radius: 2px; background: $ground;
