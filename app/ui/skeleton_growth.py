@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
 from app.ui.controls import IconButton, JumpSlider
 
 _STEP_MS = 220
+_LONGEST = "all 64 bands"
 
 
 class GrowthBar(QWidget):
@@ -29,6 +30,8 @@ class GrowthBar(QWidget):
         self.slider.setAccessibleName("Bands that have grown")
         self.slider.setToolTip("Show the graphs up to this band")
         self.label = QLabel()
+        # One size for every text: else the whole window is laid out anew whenever R changes it.
+        self.label.setFixedSize(self.label.fontMetrics().size(0, _LONGEST))
         self._timer = QTimer(self, interval=_STEP_MS)
         self._timer.timeout.connect(self._advance)
         self.play.clicked.connect(self.start)
