@@ -14,7 +14,9 @@ from types import SimpleNamespace
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, QSettings, Qt, QTimer
+from PySide6.QtWidgets import QMainWindow
 
+from app.ui.controls import JumpSlider
 from core.smoothing import METHODS
 from core.study import MethodChoice, Study
 from core.view import ViewSettings
@@ -239,6 +241,29 @@ def test_resolution_dragged(benchmark, qtbot, window, opened, watch, monkeypatch
     benchmark.extra_info["median frame ms"] = round(1000 * median(frames))
     benchmark.extra_info["share of drawing %"] = round(100 * median(drawn) / median(frames))
     benchmark.extra_info["longest frame ms"] = round(1000 * max(frames))
+
+
+def test_painting_beside_the_drawing_area(benchmark, qtbot, window, opened):
+    """A control that is painted again, against the same control in a window without OpenGL."""
+    opened("horse_19851.off", ("diffusion",), 0)
+    alone = QMainWindow()
+    qtbot.addWidget(alone)
+    alone.resize(window.size())
+    alone.setCentralWidget(JumpSlider())
+    alone.show()
+    qtbot.waitExposed(alone)
+    beside = window.denoise.methods.blocks["diffusion"].iterations.slider
+
+    def paint(control):
+        begun = time.perf_counter()
+        control.update()
+        QCoreApplication.processEvents()
+        return time.perf_counter() - begun
+
+    times = [(paint(beside), paint(alone.centralWidget())) for _ in range(50)]
+    benchmark.pedantic(lambda: paint(beside), rounds=50)
+    here, plain = (1000 * median(column) for column in zip(*times, strict=True))
+    benchmark.extra_info.update({"ms": round(here, 1), "without OpenGL ms": round(plain, 1)})
 
 
 def test_nothing_is_compiled(benchmark, qtbot, window, opened):

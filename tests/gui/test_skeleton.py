@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QEvent, QObject, QPoint, Qt
 from PySide6.QtWidgets import QDialog
 
 from app.scene.colours import DARK, LIGHT
@@ -108,6 +108,24 @@ def test_a_dragged_slider_redraws_and_is_one_step_of_undo(qtbot, tab, settle):
     settle()
     assert tab.views.skeleton(1).graph.resolution == 22
     assert slider.value() == 22
+
+
+def test_a_dragged_slider_does_not_lay_out_the_tab_anew(qtbot, tab, settle):
+    requests = []
+
+    class Watch(QObject):
+        def eventFilter(self, _, event):
+            if event.type() == QEvent.Type.LayoutRequest:
+                requests.append(event)
+            return False
+
+    watch = Watch()
+    tab.installEventFilter(watch)
+    for resolution in (8, 12, 40):
+        tab.centre.resolutions[1].slider.setValue(resolution)
+        settle()
+    assert tab.centre.growth.label.text() == "all 40 bands"
+    assert not requests
 
 
 def test_one_views_resolution_leaves_the_other_view_as_it_is(qtbot, tab, settle):
@@ -279,6 +297,20 @@ def test_films_are_written_beside_the_window(qtbot, tab, tmp_path, subject, suff
     with qtbot.waitSignal(tab.film_written, timeout=LONG):
         film(tab, FilmRequest(subject, suffix, 3, 5.0), path)
     assert path.stat().st_size > 1000
+
+
+def test_a_cancelled_graph_is_told_with_a_button_to_draw_it(qtbot, tab, settle):
+    bar = tab.centre.resolutions[1]
+    assert not bar.notice.isVisible()
+    bar.number.setValue(40)
+    tab.session.cancel()
+    assert bar.notice.isVisible()
+    assert bar.notice.text().startswith("Cancelled")
+    assert not tab.centre.resolutions[0].notice.isVisible()
+    click(qtbot, bar.resume)
+    assert not bar.notice.isVisible()
+    settle()
+    assert tab.views.skeleton(1).view.resolution == 40
 
 
 def test_a_film_is_among_what_runs_and_can_be_cancelled(qtbot, tab, tmp_path):
