@@ -114,7 +114,7 @@ def test_a_dragged_slider_does_not_lay_out_the_tab_anew(qtbot, tab, settle):
     requests = []
 
     class Watch(QObject):
-        def eventFilter(self, _, event):
+        def eventFilter(self, _, event):  # noqa: N802 (the name is Qt's)
             if event.type() == QEvent.Type.LayoutRequest:
                 requests.append(event)
             return False
