@@ -2,36 +2,96 @@
 
 import os
 from collections.abc import Callable
-from typing import Any, TypeVar, TypeVarTuple
+from functools import cached_property, update_wrapper
+from typing import Any, TypeVar, TypeVarTuple, cast
+
+import numpy as np
 
 # Threads that wait for each other by spinning take the cores from the window that is drawing and
 # from other programs: an iteration then costs ten times as much. Read when OpenMP is loaded.
 os.environ.setdefault("OMP_WAIT_POLICY", "passive")
 
-import numba
-import numpy as np
-from numba import prange
-
 F = TypeVar("F", bound=Callable[..., Any])
 Tables = TypeVarTuple("Tables")
 
-__all__ = ["kernel", "parallel_kernel", "prange", "unsigned"]
+__all__ = [
+    "Kernel",
+    "fused_kernel",
+    "fused_parallel_kernel",
+    "kernel",
+    "parallel_kernel",
+    "prange",
+    "unsigned",
+]
 
 # ``nogil`` lets a window stay responsive beside a plain worker thread, ``cache`` keeps the machine
 # code on disk, and numpy's error model gives inf and nan instead of raising in a loop.
 _OPTIONS: dict[str, Any] = {"cache": True, "nogil": True, "error_model": "numpy"}
 
+prange = range
+"""Range of a parallel loop; numba's takes its place where a kernel is compiled."""
+
+
+class Kernel:
+    """A loop that is compiled, or its machine code read, when it is first called.
+
+    Until then numba is not imported: that takes as long as showing the window.
+
+    Parameters
+    ----------
+    function : callable
+        The loop.
+    options : dict
+        What numba is told beside :data:`_OPTIONS`.
+    """
+
+    def __init__(self, function: Callable[..., Any], **options: Any) -> None:
+        self._function, self._options = function, _OPTIONS | options
+        update_wrapper(self, function)
+
+    def __call__(self, *arguments: Any) -> Any:
+        """Run the loop."""
+        return self.dispatcher(*arguments)
+
+    @cached_property
+    def dispatcher(self) -> Any:
+        """What numba makes of the loop."""
+        import numba
+
+        names = self._function.__globals__
+        if names.get("prange") is prange:
+            names["prange"] = numba.prange
+        return numba.njit(**self._options)(self._function)
+
+    @property
+    def _numba_type_(self) -> Any:
+        """By what numba knows a kernel that another one calls."""
+        from numba import typeof
+
+        return typeof(self.dispatcher)
+
 
 def kernel(function: F) -> F:
     """Compile a serial loop."""
-    compiled: F = numba.njit(**_OPTIONS)(function)
-    return compiled
+    return cast("F", Kernel(function))
+
+
+def fused_kernel(function: F) -> F:
+    """Compile a loop or formula whose x·y + z is rounded once, where the processor can do so.
+
+    For sums of many products. A difference of equal products may then be other than zero.
+    """
+    return cast("F", Kernel(function, fastmath={"contract"}))
 
 
 def parallel_kernel(function: F) -> F:
     """Compile a loop whose ``prange`` runs on all cores."""
-    compiled: F = numba.njit(parallel=True, **_OPTIONS)(function)
-    return compiled
+    return cast("F", Kernel(function, parallel=True))
+
+
+def fused_parallel_kernel(function: F) -> F:
+    """Compile as :func:`parallel_kernel`, with products and sums as in :func:`fused_kernel`."""
+    return cast("F", Kernel(function, parallel=True, fastmath={"contract"}))
 
 
 def unsigned(*numbers: *Tables) -> tuple[*Tables]:

@@ -34,9 +34,12 @@ def warm_up() -> None:
     original = primitives.torus(8, 6)
     noisy = add_noise(original)
     _touch_topology(noisy)
-    _warm_up_methods(Comparison(original, noisy))
+    comparison = Comparison(original, noisy)
+    _warm_up_methods(comparison)
     for vertices in (noisy.vertices, noisy.vertices.copy()):
         shading_normals(vertices, noisy.faces)
+        for evaluator in comparison.evaluators.values():
+            evaluator.elements(vertices)
     _warm_up_skeleton(noisy)
     connectivity(noisy)
     _warm_up_doctor(noisy)

@@ -4,8 +4,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
+import scipy
 
 from core.arrays import IntArray
 from core.doctor.spec import Numbers
@@ -66,10 +65,12 @@ def loop_count(mesh: TriangleMesh) -> int:
     """Number of boundary loops; counts those too that have no direction."""
     start, end, _ = _half_edges(mesh)
     names, numbers = np.unique(np.concatenate([start, end]), return_inverse=True)
+    if not len(names):
+        return 0
     first, second = numbers.reshape(2, -1)
     ones = np.ones(len(first), np.int8)
-    graph = coo_array((ones, (first, second)), shape=(len(names), len(names)))
-    return int(connected_components(graph, directed=False)[0]) if len(names) else 0
+    graph = scipy.sparse.coo_array((ones, (first, second)), shape=(len(names), len(names)))
+    return int(scipy.sparse.csgraph.connected_components(graph, directed=False)[0])
 
 
 def simple_loops(mesh: TriangleMesh) -> Iterator[IntArray]:

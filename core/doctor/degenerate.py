@@ -1,8 +1,7 @@
 """Faces without area: two corners at one place, or three in a line."""
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
+import scipy
 
 from core.arrays import BoolArray, FloatArray, IntArray, first_rows
 from core.doctor.spec import (
@@ -99,8 +98,8 @@ def _without_short_edges(mesh: TriangleMesh) -> Numbers:
 def joined(count: int, pairs: Numbers) -> Numbers:
     """For vertices joined in pairs, (p, 2): the first vertex of the group of each, (count,)."""
     ones = np.ones(len(pairs), np.int8)
-    graph = coo_array((ones, (pairs[:, 0], pairs[:, 1])), shape=(count, count))
-    labels = connected_components(graph, directed=False)[1]
+    graph = scipy.sparse.coo_array((ones, (pairs[:, 0], pairs[:, 1])), shape=(count, count))
+    labels = scipy.sparse.csgraph.connected_components(graph, directed=False)[1]
     first = np.unique(labels, return_index=True)[1]
     groups: Numbers = first[labels]
     return groups

@@ -3,11 +3,10 @@
 import os
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import scipy
-from scipy.sparse import csr_array, diags_array, save_npz
 
 from core.arrays import FloatArray
 from core.mesh import geometry
@@ -15,39 +14,44 @@ from core.mesh.errors import MeshError
 from core.mesh.triangle_mesh import TriangleMesh
 from core.whole_files import whole_file
 
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
-def adjacency_matrix(mesh: TriangleMesh) -> csr_array:
+
+def adjacency_matrix(mesh: TriangleMesh) -> "csr_array":
     """Adjacency matrix A, (m, m): aᵢⱼ = 1 where vᵢ ~ vⱼ."""
     return mesh.topology.adjacency
 
 
-def edge_matrix(mesh: TriangleMesh) -> csr_array:
+def edge_matrix(mesh: TriangleMesh) -> "csr_array":
     """Edge matrix E, (m, m): eᵢⱼ = ‖vᵢ − vⱼ‖ where vᵢ ~ vⱼ, in model units, thesis §1.2.2.
 
     An edge without length is stored as an explicit zero, so that the edge is not lost.
     """
     ring = mesh.topology.vertex_ring
     lengths = geometry.edge_lengths(mesh)[mesh.topology.ring_edges]
-    return csr_array((lengths, ring.items, ring.starts), shape=(len(mesh.vertices),) * 2)
+    return scipy.sparse.csr_array(
+        (lengths, ring.items, ring.starts), shape=(len(mesh.vertices),) * 2
+    )
 
 
-def degree_matrix(mesh: TriangleMesh) -> csr_array:
+def degree_matrix(mesh: TriangleMesh) -> "csr_array":
     """Degree matrix D = diag(dᵢ), (m, m)."""
-    return csr_array(diags_array(mesh.degrees.astype(np.float64)))
+    return scipy.sparse.csr_array(scipy.sparse.diags_array(mesh.degrees.astype(np.float64)))
 
 
-def laplacian_matrix(mesh: TriangleMesh) -> csr_array:
+def laplacian_matrix(mesh: TriangleMesh) -> "csr_array":
     """Laplacian matrix L = D − A, (m, m), thesis §1.2.3; the sum of every row is 0."""
-    return csr_array(degree_matrix(mesh) - adjacency_matrix(mesh))
+    return scipy.sparse.csr_array(degree_matrix(mesh) - adjacency_matrix(mesh))
 
 
-def normalized_laplacian_matrix(mesh: TriangleMesh) -> csr_array:
+def normalized_laplacian_matrix(mesh: TriangleMesh) -> "csr_array":
     """Normalised Laplacian 𝓛 = D^(−1/2) L D^(−1/2), (m, m), thesis §1.2.3.
 
     The row of an isolated vertex is zero, so that the zero eigenvalues count the components.
     """
-    scale = diags_array(inverse_root_degrees(mesh))
-    return csr_array(scale @ laplacian_matrix(mesh) @ scale)
+    scale = scipy.sparse.diags_array(inverse_root_degrees(mesh))
+    return scipy.sparse.csr_array(scale @ laplacian_matrix(mesh) @ scale)
 
 
 def inverse_root_degrees(mesh: TriangleMesh) -> FloatArray:
@@ -58,7 +62,7 @@ def inverse_root_degrees(mesh: TriangleMesh) -> FloatArray:
     return result
 
 
-MATRICES: dict[str, Callable[[TriangleMesh], csr_array]] = {
+MATRICES: dict[str, Callable[[TriangleMesh], "csr_array"]] = {
     "adjacency": adjacency_matrix,
     "edge": edge_matrix,
     "degree": degree_matrix,
@@ -70,7 +74,7 @@ MATRICES: dict[str, Callable[[TriangleMesh], csr_array]] = {
 MATRIX_SUFFIXES = (".mtx", ".npz")
 
 
-def save_matrix(matrix: csr_array, path: str | os.PathLike[str]) -> None:
+def save_matrix(matrix: "csr_array", path: str | os.PathLike[str]) -> None:
     """Write a symmetric matrix as Matrix Market (.mtx) or as scipy's NPZ (.npz).
 
     Raises
@@ -79,7 +83,10 @@ def save_matrix(matrix: csr_array, path: str | os.PathLike[str]) -> None:
         If the suffix is another, or the file cannot be written.
     """
     file = Path(path)
-    writers: dict[str, Callable[[Any, csr_array], None]] = {".mtx": _write_mtx, ".npz": save_npz}
+    writers: dict[str, Callable[[Any, csr_array], None]] = {
+        ".mtx": _write_mtx,
+        ".npz": scipy.sparse.save_npz,
+    }
     if file.suffix.lower() not in writers:
         allowed = " ".join(MATRIX_SUFFIXES)
         raise MeshError(f"{file.name}: matrices are not written in this format; use {allowed}.")
@@ -92,5 +99,5 @@ def save_matrix(matrix: csr_array, path: str | os.PathLike[str]) -> None:
         raise MeshError(f"{file} cannot be written: {reason}.") from error
 
 
-def _write_mtx(stream: Any, matrix: csr_array) -> None:
+def _write_mtx(stream: Any, matrix: "csr_array") -> None:
     scipy.io.mmwrite(stream, matrix, symmetry="symmetric")

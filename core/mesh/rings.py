@@ -9,6 +9,9 @@ import numpy as np
 from core.arrays import IntArray
 from core.kernels import kernel, parallel_kernel, prange
 
+# Longest ring of a face that is merged one by one.
+_LONG_ROW = 64
+
 
 @kernel
 def vertex_faces(faces: IntArray, vertex_count: int) -> tuple[IntArray, IntArray]:
@@ -91,13 +94,18 @@ def vertex_ring(
 
 @kernel
 def _merge_rows(faces: IntArray, t: int, starts: IntArray, items: IntArray, out: IntArray) -> None:
-    """Merge the three sorted face rows at the corners of face t into `out`, without t."""
-    a, b, c = starts[faces[t, 0]], starts[faces[t, 1]], starts[faces[t, 2]]
-    a_end, b_end, c_end = (
-        starts[faces[t, 0] + 1],
-        starts[faces[t, 1] + 1],
-        starts[faces[t, 2] + 1],
-    )
+    """Merge the three sorted face rows at the corners of face t into `out`, without t.
+
+    What a long row holds before the next of the others is copied at one go.
+    """
+    i, j, k = faces[t, 0], faces[t, 1], faces[t, 2]
+    is_long = len(out) > _LONG_ROW
+    if is_long and starts[j + 1] - starts[j] > starts[i + 1] - starts[i]:
+        i, j = j, i
+    if is_long and starts[k + 1] - starts[k] > starts[i + 1] - starts[i]:
+        i, k = k, i
+    a, b, c = starts[i], starts[j], starts[k]
+    a_end, b_end, c_end = starts[i + 1], starts[j + 1], starts[k + 1]
     count = 0
     limit = np.int32(2**31 - 1)
     while a < a_end or b < b_end or c < c_end:
@@ -111,6 +119,14 @@ def _merge_rows(faces: IntArray, t: int, starts: IntArray, items: IntArray, out:
         if smallest != t:
             out[count] = smallest
             count += 1
+        if is_long:
+            next_b = items[b] if b < b_end else limit
+            next_c = items[c] if c < c_end else limit
+            while a < a_end and items[a] < min(next_b, next_c):
+                if items[a] != t:
+                    out[count] = items[a]
+                    count += 1
+                a += 1
 
 
 @parallel_kernel

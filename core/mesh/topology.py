@@ -2,15 +2,18 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from scipy.sparse import csr_array
+import scipy
 
 from core.arrays import BoolArray, IntArray, frozen
 from core.mesh import edge_tables, pieces, rings
 from core.mesh.errors import MeshError
 from core.mesh.ordering import Ordering, follows_surface, surface_ordering
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
 # Two gigabytes. Ordinary meshes have 12 neighbours a face; 32-bit numbers end at four times this.
 _MOST_NEIGHBOURS = 500_000_000
@@ -146,11 +149,13 @@ class Topology:
         return self.vertex_ring.lengths
 
     @cached_property
-    def adjacency(self) -> csr_array:
+    def adjacency(self) -> "csr_array":
         """Adjacency matrix A of the vertices, (m, m), ones in float64."""
         ring = self.vertex_ring
         ones = np.ones(len(ring.items))
-        return csr_array((ones, ring.items, ring.starts), shape=(self.vertex_count,) * 2)
+        return scipy.sparse.csr_array(
+            (ones, ring.items, ring.starts), shape=(self.vertex_count,) * 2
+        )
 
     @cached_property
     def boundary_edges(self) -> BoolArray:

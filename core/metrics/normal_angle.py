@@ -3,25 +3,52 @@
 import numpy as np
 
 from core.arrays import FloatArray, IntArray
-from core.kernels import parallel_kernel, prange, unsigned
+from core.kernels import kernel, parallel_kernel, prange, unsigned
 from core.mesh import TriangleMesh
-from core.mesh.geometry import face_vectors
 from core.mesh.triangles import triangle_vector
 from core.metrics.arctangent import angle_of
 from core.metrics.spec import MetricSpec
 
+Rows = tuple[FloatArray, FloatArray, FloatArray]
+"""The x, the y and the z of vectors: side by side they compile to vector instructions."""
+
+# So many faces side by side stay in the nearest cache.
+_BLOCK = 256
+
+
+@kernel
+def _set_face_vectors(vertices: FloatArray, faces: IntArray, vectors: Rows) -> None:
+    """Note twice the area times the unit normal of each face."""
+    x, y, z = vectors
+    for t in range(len(faces)):
+        x[t], y[t], z[t] = triangle_vector(vertices, faces[t, 0], faces[t, 1], faces[t, 2])
+
+
+@kernel
+def _set_angles(a: Rows, b: Rows, angles: FloatArray) -> None:
+    """Note the angle ∠(a, b) of each pair, from ‖a × b‖ and ⟨a, b⟩; 0 where one has no length."""
+    (ax, ay, az), (bx, by, bz) = a, b
+    for t in range(len(angles)):
+        x = ay[t] * bz[t] - az[t] * by[t]
+        y = az[t] * bx[t] - ax[t] * bz[t]
+        z = ax[t] * by[t] - ay[t] * bx[t]
+        product = ax[t] * bx[t] + ay[t] * by[t] + az[t] * bz[t]
+        angles[t] = angle_of(np.sqrt(x * x + y * y + z * z), product)
+
 
 @parallel_kernel
-def _angles(vertices: FloatArray, faces: IntArray, vectors: FloatArray) -> FloatArray:
-    """Angle between each face's normal and its vector in degrees; 0 where one has no length."""
-    angles = np.empty(len(faces))
-    for t in prange(len(faces)):
-        ax, ay, az = vectors[t, 0], vectors[t, 1], vectors[t, 2]
-        bx, by, bz = triangle_vector(vertices, faces[t, 0], faces[t, 1], faces[t, 2])
-        cx, cy, cz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
-        sine = np.sqrt(cx * cx + cy * cy + cz * cz)
-        angles[t] = np.degrees(angle_of(sine, ax * bx + ay * by + az * bz))
-    return angles
+def _total_angle(vertices: FloatArray, faces: IntArray, vectors: Rows) -> float:
+    """Σᵢ of the angles between the faces' normals and the vectors, in radians."""
+    x, y, z = vectors
+    total = 0.0
+    for block in prange((len(faces) + _BLOCK - 1) // _BLOCK):
+        first, last = block * _BLOCK, min((block + 1) * _BLOCK, len(faces))
+        ours = np.empty(_BLOCK), np.empty(_BLOCK), np.empty(_BLOCK)
+        angles = np.empty(_BLOCK)[: last - first]
+        _set_face_vectors(vertices, faces[first:last], ours)
+        _set_angles((x[first:last], y[first:last], z[first:last]), ours, angles)
+        total += angles.sum()
+    return total
 
 
 class NormalAngleEvaluator:
@@ -29,16 +56,24 @@ class NormalAngleEvaluator:
 
     def __init__(self, original: TriangleMesh) -> None:
         (self._faces,) = unsigned(original.faces)
-        self._vectors: FloatArray = face_vectors(original.vertices, self._faces)
+        self._vectors = self._face_vectors(original.vertices)
+
+    def _face_vectors(self, vertices: FloatArray) -> Rows:
+        n = len(self._faces)
+        vectors = np.empty(n), np.empty(n), np.empty(n)
+        _set_face_vectors(vertices, self._faces, vectors)
+        return vectors
 
     def value(self, vertices: FloatArray) -> float:
         """Return the mean of `elements`."""
-        return float(self.elements(vertices).mean()) if len(self._faces) else 0.0
+        total = _total_angle(vertices, self._faces, self._vectors)
+        return float(np.degrees(total / max(len(self._faces), 1)))
 
     def elements(self, vertices: FloatArray) -> FloatArray:
         """Return the angle of each face in degrees, (n,); 0 for a face without area."""
-        angles: FloatArray = _angles(vertices, self._faces, self._vectors)
-        return angles
+        angles = np.empty(len(self._faces))
+        _set_angles(self._vectors, self._face_vectors(vertices), angles)
+        return np.degrees(angles)
 
 
 SPEC = MetricSpec(

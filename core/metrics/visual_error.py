@@ -3,23 +3,41 @@
 import numpy as np
 
 from core.arrays import FloatArray, IntArray
-from core.kernels import parallel_kernel, prange, unsigned
+from core.kernels import fused_parallel_kernel, prange, unsigned
 from core.mesh import TriangleMesh
-from core.mesh.gradient import CAUCHY_CONSTANT, inverse_roots, printed_cauchy_weights
+from core.mesh.gradient import CAUCHY_CONSTANT, inverse_roots
 from core.metrics.spec import MetricSpec
 
 
-@parallel_kernel
-def _in_frame(vertices: FloatArray, origin: FloatArray, scale: float) -> FloatArray:
-    """Scale the vertices about the origin, (m, 3)."""
-    placed = np.empty_like(vertices)
+@fused_parallel_kernel
+def _cauchy_weights(
+    vertices: FloatArray,
+    starts: IntArray,
+    items: IntArray,
+    origin: FloatArray,
+    roots: FloatArray,
+    c: float,
+) -> FloatArray:
+    """g(|∇vᵢ|) = 1/(1 + |∇vᵢ|²/c²) with |∇vᵢ|² = Σⱼ ‖(vᵢ − o)/√dᵢ − (vⱼ − o)/√dⱼ‖², (m,).
+
+    `roots` are the 1/√dᵢ, times the scale of the lengths.
+    """
+    weights = np.empty(len(vertices))
     for i in prange(len(vertices)):
-        for x in range(3):
-            placed[i, x] = scale * (vertices[i, x] - origin[x])
-    return placed
+        ax = roots[i] * (vertices[i, 0] - origin[0])
+        ay = roots[i] * (vertices[i, 1] - origin[1])
+        az = roots[i] * (vertices[i, 2] - origin[2])
+        total = 0.0
+        for j in items[starts[i] : starts[i + 1]]:
+            x = ax - roots[j] * (vertices[j, 0] - origin[0])
+            y = ay - roots[j] * (vertices[j, 1] - origin[1])
+            z = az - roots[j] * (vertices[j, 2] - origin[2])
+            total += x * x + y * y + z * z
+        weights[i] = 1 / (1 + total / c**2)
+    return weights
 
 
-@parallel_kernel
+@fused_parallel_kernel
 def _diffusion_operator(
     vertices: FloatArray, starts: IntArray, items: IntArray, weights: FloatArray
 ) -> FloatArray:
@@ -37,32 +55,32 @@ def _diffusion_operator(
     return result
 
 
-@parallel_kernel
-def _half_squares(
-    vertices: FloatArray,
-    placed: FloatArray,
+@fused_parallel_kernel
+def _total_squares(
+    original: FloatArray,
     operator: FloatArray,
+    vertices: FloatArray,
     starts: IntArray,
     items: IntArray,
     weights: FloatArray,
-) -> FloatArray:
-    """(‖vᵢ − v̂ᵢ‖² + ‖𝒜(vᵢ) − 𝒜(v̂ᵢ)‖²)/2 of each vertex, (m,), in one pass over the rings."""
-    result = np.empty(len(vertices))
+) -> float:
+    """Σᵢ ‖vᵢ − v̂ᵢ‖² + ‖𝒜(vᵢ) − 𝒜(v̂ᵢ)‖², in one pass over the rings."""
+    total = 0.0
     for i in prange(len(vertices)):
         x = y = z = 0.0
         for j in items[starts[i] : starts[i + 1]]:
             weight = weights[i] + weights[j]
-            x += weight * (placed[i, 0] - placed[j, 0])
-            y += weight * (placed[i, 1] - placed[j, 1])
-            z += weight * (placed[i, 2] - placed[j, 2])
+            x += weight * (vertices[i, 0] - vertices[j, 0])
+            y += weight * (vertices[i, 1] - vertices[j, 1])
+            z += weight * (vertices[i, 2] - vertices[j, 2])
         d = max(starts[i + 1] - starts[i], 1)
-        total = (operator[i, 0] - x / d) ** 2
-        total += (operator[i, 1] - y / d) ** 2
-        total += (operator[i, 2] - z / d) ** 2
+        square = (operator[i, 0] - x / d) ** 2
+        square += (operator[i, 1] - y / d) ** 2
+        square += (operator[i, 2] - z / d) ** 2
         for axis in range(3):
-            total += (vertices[i, axis] - placed[i, axis]) ** 2
-        result[i] = total / 2
-    return result
+            square += (original[i, axis] - vertices[i, axis]) ** 2
+        total += square
+    return total
 
 
 class VisualErrorEvaluator:
@@ -78,35 +96,35 @@ class VisualErrorEvaluator:
 
     def __init__(self, original: TriangleMesh, *, model_units: bool = False) -> None:
         self._ring = unsigned(*original.topology.vertex_ring)
-        self._roots = inverse_roots(original.degrees)
         self._origin = np.zeros(3) if model_units else original.vertices.mean(axis=0)
         self._scale = 1.0 if model_units else 1.0 / (original.mean_edge_length or 1.0)
-        self._vertices = self._in_frame(original.vertices)
-        self._operator: FloatArray = _diffusion_operator(
-            self._vertices, *self._ring, self._weights(self._vertices)
-        )
+        self._roots = self._scale * inverse_roots(original.degrees)
+        self._vertices = original.vertices
+        self._operator = self._diffusion_operator(self._vertices)
 
-    def _in_frame(self, vertices: FloatArray) -> FloatArray:
-        placed: FloatArray = _in_frame(vertices, self._origin, self._scale)
-        return placed
-
-    def _weights(self, placed: FloatArray) -> FloatArray:
-        weights: FloatArray = printed_cauchy_weights(
-            placed, *self._ring, self._roots, 1.0, CAUCHY_CONSTANT
+    def _weights(self, vertices: FloatArray) -> FloatArray:
+        weights: FloatArray = _cauchy_weights(
+            vertices, *self._ring, self._origin, self._roots, CAUCHY_CONSTANT
         )
         return weights
 
+    def _diffusion_operator(self, vertices: FloatArray) -> FloatArray:
+        operator: FloatArray = _diffusion_operator(vertices, *self._ring, self._weights(vertices))
+        return operator
+
     def value(self, vertices: FloatArray) -> float:
         """Return D(𝕄, 𝕄̂), the mean of `elements`."""
-        return float(self.elements(vertices).mean())
+        squares = _total_squares(
+            self._vertices, self._operator, vertices, *self._ring, self._weights(vertices)
+        )
+        return self._scale**2 * squares / (2 * max(len(vertices), 1))
 
     def elements(self, vertices: FloatArray) -> FloatArray:
         """Return (‖vᵢ − v̂ᵢ‖² + ‖𝒜(vᵢ) − 𝒜(v̂ᵢ)‖²)/2 of each vertex, (m,)."""
-        placed = self._in_frame(vertices)
-        errors: FloatArray = _half_squares(
-            self._vertices, placed, self._operator, *self._ring, self._weights(placed)
-        )
-        return errors
+        displacement = self._vertices - vertices
+        change = self._operator - self._diffusion_operator(vertices)
+        squares: FloatArray = (displacement**2 + change**2).sum(axis=1)
+        return self._scale**2 * squares / 2
 
 
 def visual_error(original: TriangleMesh, mesh: TriangleMesh, *, model_units: bool = False) -> float:

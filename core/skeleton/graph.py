@@ -5,9 +5,8 @@ from functools import cached_property
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from core.arrays import FloatArray, IntArray
 
@@ -184,5 +183,7 @@ class SkeletalGraph:
 def label_components(node_count: int, arcs: IntArray) -> IntArray:
     """Connected component of each node, (k,) int32, numbered in the order of first nodes."""
     ones = np.ones(len(arcs), np.int8)
-    matrix = coo_array((ones, (arcs[:, 0], arcs[:, 1])), shape=(node_count, node_count))
-    return connected_components(matrix, directed=False)[1].astype(np.int32)
+    matrix = scipy.sparse.coo_array(
+        (ones, (arcs[:, 0], arcs[:, 1])), shape=(node_count, node_count)
+    )
+    return scipy.sparse.csgraph.connected_components(matrix, directed=False)[1].astype(np.int32)

@@ -9,8 +9,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
+import scipy
 
 from core.arrays import BoolArray, IntArray
 from core.mesh import TriangleMesh
@@ -118,8 +117,8 @@ def split_surface(mesh: TriangleMesh) -> SplitSurface:
 
 def _labels(count: int, pairs: IntArray) -> IntArray:
     ones = np.ones(len(pairs), np.int8)
-    matrix = coo_array((ones, (pairs[:, 0], pairs[:, 1])), shape=(count, count))
-    return connected_components(matrix, directed=False)[1].astype(np.int32)
+    matrix = scipy.sparse.coo_array((ones, (pairs[:, 0], pairs[:, 1])), shape=(count, count))
+    return scipy.sparse.csgraph.connected_components(matrix, directed=False)[1].astype(np.int32)
 
 
 def _edge_ends(opposite: IntArray) -> IntArray:

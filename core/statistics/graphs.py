@@ -1,15 +1,19 @@
 """Weighted graphs on the vertices, whose shortest paths stand for geodesics."""
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 import scipy
-from scipy.sparse import csr_array
 
 from core.arrays import FloatArray, first_rows
 from core.mesh import TriangleMesh
 from core.mesh.matrices import edge_matrix
 
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
-def nearest_neighbour_graph(points: FloatArray, neighbours: int) -> csr_array:
+
+def nearest_neighbour_graph(points: FloatArray, neighbours: int) -> "csr_array":
     """Join each point with its k nearest others, in either direction, by Euclidean length.
 
     Thesis §3.3.5, step (i).
@@ -35,9 +39,9 @@ def nearest_neighbour_graph(points: FloatArray, neighbours: int) -> csr_array:
     one, other = pairs[first_rows(pairs)].T
     lengths = np.linalg.norm(points[one] - points[other], axis=1)
     rows, columns = np.concatenate([one, other]), np.concatenate([other, one])
-    return csr_array((np.tile(lengths, 2), (rows, columns)), shape=(m, m))
+    return scipy.sparse.csr_array((np.tile(lengths, 2), (rows, columns)), shape=(m, m))
 
 
-def edge_graph(mesh: TriangleMesh) -> csr_array:
+def edge_graph(mesh: TriangleMesh) -> "csr_array":
     """Join the vertices along the edges of the mesh, by their lengths."""
     return edge_matrix(mesh)

@@ -2,12 +2,16 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.sparse import csr_array, eye_array
+import scipy
 
 from core.arrays import FloatArray
 from core.statistics.progress import Progress
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
 _GRID = 4000
 _SIGMAS = 2.0
@@ -15,7 +19,7 @@ _MARGIN = 1.01
 
 
 def moment_steps(
-    matrix: csr_array, top: float, count: int, probes: int, seed: int
+    matrix: "csr_array", top: float, count: int, probes: int, seed: int
 ) -> Iterator[Progress[FloatArray]]:
     """Chebyshev moments μ_k = zᵀ T_k(H) z / m of random sign vectors z.
 
@@ -42,7 +46,7 @@ def moment_steps(
     """
     m = matrix.shape[0]
     half = top * _MARGIN / 2
-    H = csr_array(matrix / half - eye_array(m))
+    H = scipy.sparse.csr_array(matrix / half - scipy.sparse.eye_array(m))
     before = np.random.default_rng(seed).choice([-1.0, 1.0], (m, probes))
     now = H @ before
     first, second = before, now

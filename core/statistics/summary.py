@@ -3,8 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import csr_array
-from scipy.sparse.csgraph import connected_components
+import scipy
 
 from core.mesh import TriangleMesh, geometry
 from core.mesh.topology import Topology
@@ -98,8 +97,8 @@ def boundary_loop_count(topology: Topology) -> int:
         return 0
     pairs = numbers.reshape(-1, 2)
     one, other = pairs.T
-    graph = csr_array((np.ones(len(pairs)), (one, other)), shape=(len(corners),) * 2)
-    return int(connected_components(graph, directed=False)[0])
+    graph = scipy.sparse.csr_array((np.ones(len(pairs)), (one, other)), shape=(len(corners),) * 2)
+    return int(scipy.sparse.csgraph.connected_components(graph, directed=False)[0])
 
 
 def _volume(mesh: TriangleMesh) -> float | None:

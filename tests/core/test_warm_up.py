@@ -6,10 +6,10 @@ import sys
 # In a process of its own, because here other tests have called the kernels already.
 _FORMS_ADDED = """
 import sys
-from numba.core.dispatcher import Dispatcher
 from core import mesh_statistics
 from core.comparison import Comparison, run_method
 from core.doctor import examine
+from core.kernels import Kernel
 from core.mesh import primitives
 from core.mesh.geometry import shading_normals
 from core.noise import add_noise
@@ -23,10 +23,10 @@ def forms():
     kernels = {
         id(value): value
         for name, module in list(sys.modules.items()) if name.startswith("core")
-        for value in vars(module).values() if isinstance(value, Dispatcher)
+        for value in vars(module).values() if isinstance(value, Kernel)
     }
-    return {f"{kernel.py_func.__name__} {form}" for kernel in kernels.values()
-            for form in kernel.signatures}
+    return {f"{kernel.__name__} {form}" for kernel in kernels.values()
+            for form in kernel.dispatcher.signatures}
 
 
 warm_up()
@@ -36,6 +36,9 @@ comparison = Comparison(ball, add_noise(ball))
 for method in METHODS:
     mesh = run_method(comparison, MethodChoice(method=method, iterations=3)).mesh
 shading_normals(mesh.vertices + 0.0, mesh.faces)
+for vertices in (mesh.vertices, mesh.vertices + 0.0):
+    for evaluator in comparison.evaluators.values():
+        evaluator.elements(vertices)
 for known in (ball, mesh):
     examine(known)
     skeletal_graph(known)

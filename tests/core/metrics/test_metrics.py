@@ -1,5 +1,6 @@
 """Metrics: by hand, against plain numpy, and their invariances."""
 
+import numba
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
@@ -68,6 +69,26 @@ def test_normal_angle_by_hand():
     flipped = TRIANGLE.vertices * [1, -1, 1]
     assert evaluator.value(flipped) == pytest.approx(180)
     assert evaluator.value(0 * flipped) == 0
+
+
+@pytest.mark.parametrize("metric", ["visual_error", "normal_angle"])
+@pytest.mark.parametrize("mesh", [primitives.torus(23, 17), TRIANGLE], ids=["torus", "triangle"])
+def test_is_the_mean_of_its_elements(metric, mesh):
+    evaluator = METRICS[metric].evaluator(mesh)
+    moved = add_noise(mesh, 0.2).vertices
+    assert evaluator.value(moved) == pytest.approx(evaluator.elements(moved).mean(), rel=1e-12)
+
+
+@every_metric
+def test_does_not_depend_on_the_number_of_threads(metric, ball):
+    evaluator = METRICS[metric].evaluator(ball)
+    vertices = add_noise(ball).vertices
+    here = evaluator.value(vertices)
+    before = numba.get_num_threads()
+    numba.set_num_threads(1)
+    alone = evaluator.value(vertices)
+    numba.set_num_threads(before)
+    assert alone == pytest.approx(here, rel=1e-12)
 
 
 @every_metric
