@@ -9,7 +9,7 @@ import os
 import sys
 import threading
 from collections import deque
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator, Iterator
 from dataclasses import dataclass, field
 from functools import partial
 from typing import Any, TypeVar
@@ -45,8 +45,8 @@ def _ignore(_: Any) -> None:
 class Job(Task):
     """A piece of work: a generator and what to do with what it yields.
 
-    A job that is cancelled stops after the step that is running; nobody hears of its outcome, but
-    `on_done` is still called.
+    A job that is cancelled stops after the step that is running, and its generator is closed on the
+    worker thread; nobody hears of its outcome, but `on_done` is still called.
 
     Attributes
     ----------
@@ -130,16 +130,15 @@ class Jobs:
         return job
 
     def close(self) -> None:
-        """Drop all jobs; give the step that is running a moment to end.
+        """Cancel all jobs; give the step that is running a moment to end.
 
         A step that takes longer goes on by itself and nobody hears of its outcome: there is no way
         to cut it, and whoever closes is not to wait. Jobs that must finish are waited for.
         """
         with self._wake:
             self._closed = True
-            if not self._must_finish:
-                self._urgent.clear()
-                self._queue.clear()
+            for job in self._unfinished:
+                job.cancelled |= not self._must_finish
             self._wake.notify()
         for job in list(self._unfinished):
             self._forget(job)
@@ -151,9 +150,8 @@ class Jobs:
     def _work(self) -> None:
         _give_way()
         while (job := self._next()) is not None:
-            more = self._advance(job)
-            with self._wake:
-                if more and (self._must_finish or not self._closed):
+            if self._advance(job):
+                with self._wake:
                     self._put(job)
 
     def _next(self) -> Job | None:
@@ -165,6 +163,8 @@ class Jobs:
     def _advance(self, job: Job) -> bool:
         """Take one step of a job; tell whether there is more."""
         try:
+            if job.cancelled and isinstance(job.steps, Generator):
+                job.steps.close()  # cleans up what it has begun
             item = None if job.cancelled else next(job.steps, None)
         except Exception as error:
             # Whatever a worker raises belongs to its owner.

@@ -15,6 +15,7 @@ from core.statistics.geodesic import (
     GeodesicParams,
     distances_from_vertex,
     geodesic_steps,
+    vertex_distance_steps,
 )
 from core.statistics.progress import Progress, finished
 from core.statistics.spectrum import Spectrum, SpectrumParams, spectrum_steps
@@ -45,4 +46,5 @@ __all__ = [
     "spectrum_steps",
     "statistics_steps",
     "summarise",
+    "vertex_distance_steps",
 ]

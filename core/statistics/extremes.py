@@ -1,18 +1,24 @@
-"""The smallest and largest eigenvalues of a Laplacian, exact, by sparse Lanczos methods."""
+"""Eigenvalues of a Laplacian: all of them, or the smallest and largest by Lanczos methods.
+
+This file imports nothing of the project: :mod:`core.apart` loads it in a process of its own,
+because none of these computations can be interrupted.
+"""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
-from scipy.sparse import csc_array, csr_array, eye_array
-from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigsh, splu
+import scipy
+from numpy.typing import NDArray
 
-from core.arrays import FloatArray, IntArray
-from core.mesh import TriangleMesh
-from core.statistics.errors import StatisticsError
-from core.statistics.progress import Progress
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
+FloatArray = NDArray[np.float64]
+Found = tuple[FloatArray | None, float]
+"""The eigenvalues, None until the end, and the share of the work that is done."""
 Solve = Callable[[FloatArray], FloatArray]
 """Solves a linear system for a right-hand side."""
 
@@ -24,34 +30,36 @@ _FACTORISED = 0.4
 _MOST_RESTARTS = 300
 
 
-def largest_steps(matrix: csr_array, count: int) -> Iterator[Progress[FloatArray]]:
+def all_steps(matrix: "csr_array") -> Iterator[Found]:
+    """Find all eigenvalues of a symmetric matrix, ascending; time grows with the third power."""
+    yield np.linalg.eigvalsh(matrix.toarray()), 1.0
+
+
+def largest_steps(matrix: "csr_array", count: int) -> Iterator[Found]:
     """Find the `count` largest eigenvalues of a positive semidefinite matrix, ascending.
 
     On a regular mesh they lie so close together that Lanczos on the matrix itself takes minutes:
     it runs on the inverse of the matrix shifted just beyond them.
 
-    Yields
-    ------
-    Progress of ndarray
-        The eigenvalues at the end.
-
     Raises
     ------
-    StatisticsError
+    ValueError
         If the Lanczos method does not converge.
     """
     start = _start(matrix)
     with _convergence():
-        rough = eigsh(matrix, 1, which="LA", v0=start, tol=_ROUGH, return_eigenvectors=False)
+        rough = scipy.sparse.linalg.eigsh(
+            matrix, 1, which="LA", v0=start, tol=_ROUGH, return_eigenvectors=False
+        )
         beyond = float(rough[0]) * (1 + 2 * _ROUGH) + _SHIFT
         solve = _solver(matrix, beyond)
-        yield Progress(None, _FACTORISED)
-        yield Progress(_nearest(matrix, count, beyond, solve, start), 1.0)
+        yield None, _FACTORISED
+        yield _nearest(matrix, count, beyond, solve, start), 1.0
 
 
 def smallest_steps(
-    mesh: TriangleMesh, matrix: csr_array, count: int, *, normalized: bool
-) -> Iterator[Progress[FloatArray]]:
+    matrix: "csr_array", components: NDArray[np.int32], weights: FloatArray, count: int
+) -> Iterator[Found]:
     """Find the `count` smallest eigenvalues of a mesh's Laplacian, ascending.
 
     The vectors that are constant on a component (times √d for the normalised Laplacian) span the
@@ -60,30 +68,27 @@ def smallest_steps(
 
     Parameters
     ----------
-    mesh : TriangleMesh
-        The mesh; its components are the zero eigenvalues.
     matrix : (m, m) csr_array
-        Its Laplacian, or its normalised Laplacian where `normalized`.
+        Laplacian or normalised Laplacian.
+    components : (m,) int32 ndarray
+        Component of each vertex.
+    weights : (m,) float64 ndarray
+        The eigenvector of the eigenvalue zero, component by component.
     count : int
         Number of eigenvalues, less than m/2.
 
-    Yields
-    ------
-    Progress of ndarray
-        The eigenvalues at the end.
-
     Raises
     ------
-    StatisticsError
+    ValueError
         If the Lanczos method does not converge.
     """
-    zeros = min(mesh.topology.component_count, count)
+    zeros = min(int(components.max()) + 1, count)
     if zeros == count:
-        yield Progress(np.zeros(count), 1.0)
+        yield np.zeros(count), 1.0
         return
-    kernel = _Kernel.of(mesh, normalized=normalized)
+    kernel = _Kernel.of(components, weights)
     solve = _solver(matrix, -_SHIFT)
-    yield Progress(None, _FACTORISED)
+    yield None, _FACTORISED
 
     def solve_beside(x: FloatArray) -> FloatArray:
         return kernel.project_out(solve(kernel.project_out(x)))
@@ -91,24 +96,20 @@ def smallest_steps(
     with _convergence():
         start = kernel.project_out(_start(matrix))
         positive = _nearest(matrix, count - zeros, -_SHIFT, solve_beside, start)
-    yield Progress(np.concatenate([np.zeros(zeros), positive]), 1.0)
+    yield np.concatenate([np.zeros(zeros), positive]), 1.0
 
 
 @dataclass(frozen=True, eq=False)
 class _Kernel:
     """The eigenvectors of the eigenvalue zero: `weights` on each component, nothing elsewhere."""
 
-    components: IntArray
+    components: NDArray[np.int32]
     weights: FloatArray
     norms: FloatArray
 
     @classmethod
-    def of(cls, mesh: TriangleMesh, *, normalized: bool) -> "_Kernel":
-        components = mesh.topology.vertex_components
-        degrees = mesh.degrees if normalized else np.ones(len(components))
-        weights = np.sqrt(np.maximum(degrees, 1.0))
-        norms = np.bincount(components, weights**2).astype(np.float64)
-        return cls(components, weights, norms)
+    def of(cls, components: NDArray[np.int32], weights: FloatArray) -> "_Kernel":
+        return cls(components, weights, np.bincount(components, weights**2).astype(np.float64))
 
     def project_out(self, x: FloatArray) -> FloatArray:
         """Return the part of a vector that is orthogonal to the kernel."""
@@ -121,32 +122,32 @@ class _Kernel:
 def _convergence() -> Iterator[None]:
     try:
         yield
-    except ArpackNoConvergence as error:
-        raise StatisticsError(
+    except scipy.sparse.linalg.ArpackNoConvergence as error:
+        raise ValueError(
             "The extreme eigenvalues do not converge on this mesh; a vertex with very many "
             "neighbours is the usual reason."
         ) from error
 
 
-def _start(matrix: csr_array) -> FloatArray:
+def _start(matrix: "csr_array") -> FloatArray:
     """A fixed start, which makes the last digits the same at every call."""
     return np.random.default_rng(0).standard_normal(matrix.shape[0])
 
 
-def _solver(matrix: csr_array, shift: float) -> Solve:
+def _solver(matrix: "csr_array", shift: float) -> Solve:
     """Factorise A − shift·I, which is definite, so that no rows need to be exchanged."""
-    shifted = csc_array(matrix - shift * eye_array(matrix.shape[0]))
+    shifted = scipy.sparse.csc_array(matrix - shift * scipy.sparse.eye_array(matrix.shape[0]))
     options = {"SymmetricMode": True}
-    solve: Solve = splu(shifted, diag_pivot_thresh=0.0, options=options).solve
+    solve: Solve = scipy.sparse.linalg.splu(shifted, diag_pivot_thresh=0.0, options=options).solve
     return solve
 
 
 def _nearest(
-    matrix: csr_array, count: int, shift: float, solve: Solve, start: FloatArray
+    matrix: "csr_array", count: int, shift: float, solve: Solve, start: FloatArray
 ) -> FloatArray:
     """Eigenvalues nearest to a shift, ascending, by Lanczos on the inverse."""
-    inverse = LinearOperator(matrix.shape, solve, dtype=np.float64)
-    values: FloatArray = eigsh(
+    inverse = scipy.sparse.linalg.LinearOperator(matrix.shape, solve, dtype=np.float64)
+    values: FloatArray = scipy.sparse.linalg.eigsh(
         matrix,
         count,
         sigma=shift,

@@ -11,13 +11,14 @@ from core.mesh import TriangleMesh
 from core.parameters import Params, param
 from core.statistics.distributions import AxisLabels, Histogram
 from core.statistics.geodesic_sources import (
-    DistancesFrom,
+    Chunks,
+    Rows,
     along_edges,
     along_neighbours,
     along_surface,
 )
 from core.statistics.modes import modes
-from core.statistics.progress import Progress
+from core.statistics.progress import Progress, finished
 from core.statistics.tally import Tally
 
 _BINS, _FEWEST_BINS = 72, 8
@@ -125,15 +126,17 @@ def geodesic_steps(
     """
     settings = params or GeodesicParams()
     yield Progress(None, 0.0)
-    distances_from = _measure(mesh, settings)
     sources = source_vertices(mesh, settings)
-    tally = Tally()
-    done = 0
-    for chunk in np.array_split(sources, _chunk_count(len(sources), len(mesh.vertices))):
-        _add(tally, distances_from(chunk), chunk)
-        done += len(chunk)
-        share = done / max(len(sources), 1)
-        yield Progress(_result(mesh, settings, tally, done), share)
+    chunks = np.array_split(sources, _chunk_count(len(sources), len(mesh.vertices)))
+    progress: Progress[GeodesicDistances] = Progress(None, 0.0)
+    tally, done, to_come = Tally(), 0, iter(chunks)
+    for rows in _rows(mesh, settings, chunks):
+        if rows is not None:
+            chunk = next(to_come)
+            _add(tally, rows, chunk)
+            done += len(chunk)
+            progress = Progress(_result(mesh, settings, tally, done), done / max(len(sources), 1))
+        yield progress
 
 
 def source_vertices(mesh: TriangleMesh, params: GeodesicParams) -> IntArray:
@@ -145,19 +148,26 @@ def source_vertices(mesh: TriangleMesh, params: GeodesicParams) -> IntArray:
 
 def distances_from_vertex(mesh: TriangleMesh, vertex: int, params: GeodesicParams) -> FloatArray:
     """Distance from one vertex to every other in model units, (m,); inf where there is no path."""
-    distances: FloatArray = _measure(mesh, params)(np.array([vertex], np.int32))[0]
-    return distances
+    return finished(vertex_distance_steps(mesh, vertex, params))
 
 
-def _measure(mesh: TriangleMesh, params: GeodesicParams) -> DistancesFrom:
+def vertex_distance_steps(
+    mesh: TriangleMesh, vertex: int, params: GeodesicParams
+) -> Iterator[Progress[FloatArray]]:
+    """Find what :func:`distances_from_vertex` returns, step by step."""
+    for rows in _rows(mesh, params, [np.array([vertex], np.int32)]):
+        yield Progress(None, 0.0) if rows is None else Progress(rows[0], 1.0)
+
+
+def _rows(mesh: TriangleMesh, params: GeodesicParams, chunks: Chunks) -> Rows:
     if params.along == "neighbours":
-        return along_neighbours(mesh, params.neighbours)
-    return along_edges(mesh) if params.along == "edges" else along_surface(mesh)
+        return along_neighbours(mesh, chunks, params.neighbours)
+    return along_edges(mesh, chunks) if params.along == "edges" else along_surface(mesh, chunks)
 
 
 def _chunk_count(sources: int, vertices: int) -> int:
-    """Number of chunks so that none takes long, whatever the size of the mesh."""
-    return max(-(-sources * vertices // _CHUNK), 1) if sources * vertices > _CHUNK else 1
+    """Number of chunks so that none takes long, whatever the size of the mesh, or is empty."""
+    return max(min(-(-sources * vertices // _CHUNK), sources), 1)
 
 
 def _add(tally: Tally, rows: FloatArray, sources: IntArray) -> None:

@@ -1,86 +1,56 @@
-"""Distances from one vertex to all others, by graph or along the surface itself."""
+"""Distances from some vertices to all others, by graph or along the surface itself."""
 
-from collections.abc import Callable
-from functools import partial
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
-import numpy as np
-from potpourri3d import MeshHeatMethodDistanceSolver
-from scipy.sparse import csr_array
-from scipy.sparse.csgraph import dijkstra
+import scipy
 
+from core.apart import run_apart
 from core.arrays import FloatArray, IntArray
 from core.mesh import TriangleMesh
-from core.statistics.errors import StatisticsError
+from core.statistics.errors import StatisticsError, refusals
 from core.statistics.graphs import edge_graph, nearest_neighbour_graph
+from core.statistics.heat import heat_distances
 
-DistancesFrom = Callable[[IntArray], FloatArray]
-"""Distances from sources (s,) to all vertices, (s, m), inf where there is no path."""
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
+
+Chunks = Sequence[IntArray]
+"""Source vertices, a few at a time."""
+Rows = Iterator[FloatArray | None]
+"""Distances (s, m) from each chunk, inf where there is no path; None while they are awaited."""
+
+# A mesh of so few vertices is factorised in less time than it takes to start a process.
+_SMALL = 3000
 
 
-def along_neighbours(mesh: TriangleMesh, neighbours: int) -> DistancesFrom:
+def along_neighbours(mesh: TriangleMesh, chunks: Chunks, neighbours: int) -> Rows:
     """Shortest paths in the graph of the k nearest neighbours, thesis §3.3.5."""
-    return partial(_shortest_paths, nearest_neighbour_graph(mesh.vertices, neighbours))
+    return _shortest_paths(nearest_neighbour_graph(mesh.vertices, neighbours), chunks)
 
 
-def along_edges(mesh: TriangleMesh) -> DistancesFrom:
+def along_edges(mesh: TriangleMesh, chunks: Chunks) -> Rows:
     """Shortest paths along the edges of the mesh."""
-    return partial(_shortest_paths, edge_graph(mesh))
+    return _shortest_paths(edge_graph(mesh), chunks)
 
 
-def along_surface(mesh: TriangleMesh) -> DistancesFrom:
-    """Geodesics on the surface itself, by the heat method.
+def along_surface(mesh: TriangleMesh, chunks: Chunks) -> Rows:
+    """Geodesics on the surface itself, by the heat method; on a large mesh in another process.
 
     Raises
     ------
     StatisticsError
         If the mesh has no faces or the equations of the heat method cannot be solved on it.
-
-    References
-    ----------
-    Crane, Weischedel and Wardetzky, *Geodesics in heat*, 2013, with the intrinsic Laplacian of
-    Sharp and Crane, *A Laplacian for nonmanifold triangle meshes*, 2020.
     """
-    used, numbers = np.unique(mesh.faces, return_inverse=True)
-    if not len(used):
+    if not len(mesh.faces):
         raise StatisticsError("A mesh without faces has no geodesics along its surface.")
-    try:
-        solver = MeshHeatMethodDistanceSolver(mesh.vertices[used], numbers.reshape(-1, 3))
-    except RuntimeError as error:
-        raise StatisticsError("The heat method cannot be set up on this mesh.") from error
-    return partial(_heat_distances, solver, used, mesh.topology.vertex_components)
+    arguments = mesh.vertices, mesh.faces, mesh.topology.vertex_components, chunks
+    apart = len(mesh.vertices) > _SMALL
+    with refusals():
+        yield from run_apart(heat_distances, *arguments) if apart else heat_distances(*arguments)
 
 
-def _shortest_paths(graph: csr_array, sources: IntArray) -> FloatArray:
-    # The graph is symmetric: taken as directed it need not be transposed at every call.
-    distances: FloatArray = dijkstra(graph, directed=True, indices=sources)
-    return distances
-
-
-def _heat_distances(
-    solver: MeshHeatMethodDistanceSolver, used: IntArray, components: IntArray, sources: IntArray
-) -> FloatArray:
-    return np.stack([_heat_from(solver, used, components, int(source)) for source in sources])
-
-
-def _heat_from(
-    solver: MeshHeatMethodDistanceSolver, used: IntArray, components: IntArray, source: int
-) -> FloatArray:
-    """Distances from one vertex; heat does not reach other components."""
-    distances = np.full(len(components), np.inf)
-    place = int(np.searchsorted(used, source))
-    if place < len(used) and used[place] == source:
-        # Near the source the solution may fall below zero by its own error.
-        distances[used] = np.maximum(_solved(solver, place), 0.0)
-    distances[components != components[source]] = np.inf
-    distances[source] = 0.0
-    if np.isnan(distances).any():
-        raise StatisticsError("The heat method finds no distances on this mesh.")
-    return distances
-
-
-def _solved(solver: MeshHeatMethodDistanceSolver, place: int) -> FloatArray:
-    try:
-        distances: FloatArray = solver.compute_distance(place)
-    except RuntimeError as error:
-        raise StatisticsError("The heat method finds no distances on this mesh.") from error
-    return distances
+def _shortest_paths(graph: "csr_array", chunks: Chunks) -> Rows:
+    for chunk in chunks:
+        # The graph is symmetric: taken as directed it need not be transposed at every call.
+        yield scipy.sparse.csgraph.dijkstra(graph, directed=True, indices=chunk)

@@ -1,20 +1,24 @@
 """Spectra of the Laplacian L = D − A and of the normalised Laplacian, thesis §3.2 and §3.4."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
-from scipy.sparse import csr_array
 
+from core.apart import run_apart
 from core.arrays import FloatArray
 from core.mesh import TriangleMesh
 from core.mesh.matrices import laplacian_matrix, normalized_laplacian_matrix
 from core.parameters import Params, param
 from core.statistics.distributions import AxisLabels
-from core.statistics.extremes import largest_steps, smallest_steps
+from core.statistics.errors import refusals
+from core.statistics.extremes import Found, all_steps, largest_steps, smallest_steps
 from core.statistics.kernel_polynomial import SpectralCounts, moment_steps
 from core.statistics.progress import Progress, part_of
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
 MatrixName = Literal["laplacian", "normalized_laplacian"]
 
@@ -23,6 +27,8 @@ _POINTS = 1000
 _PROBE_ENTRIES = 400_000
 _ROUNDING = 1e-9
 _FADE = 0.01
+# A mesh of so few vertices takes less time than starting a process does.
+_SMALL = 1200
 
 
 class SpectrumParams(Params):
@@ -131,14 +137,25 @@ def spectrum_steps(
     settings = params or SpectrumParams()
     yield Progress(None, 0.0)
     if len(mesh.vertices) <= max(settings.dense_limit, 2 * settings.extremes + 2):
-        yield Progress(_dense(mesh, settings), 1.0)
+        everything = _eigenvalues(all_steps, _matrix(mesh, settings.matrix))
+        ascending = yield from part_of(everything, 0.0, 1.0)
+        yield Progress(_exact(mesh, settings, ascending), 1.0)
     else:
         yield from _approximate(mesh, settings)
 
 
-def _dense(mesh: TriangleMesh, params: SpectrumParams) -> Spectrum:
-    # numpy's routine, unlike scipy's, lets other threads go on meanwhile.
-    ascending = np.linalg.eigvalsh(_matrix(mesh, params.matrix).toarray())
+def _eigenvalues(
+    steps: Callable[..., Iterator[Found]], matrix: "csr_array", *arguments: object
+) -> Iterator[Progress[FloatArray]]:
+    """Compute eigenvalues, those of a large matrix in a process of its own."""
+    apart, share = matrix.shape[0] > _SMALL, 0.0
+    with refusals():
+        for found in run_apart(steps, matrix, *arguments) if apart else steps(matrix, *arguments):
+            value, share = found or (None, share)
+            yield Progress(value, share)
+
+
+def _exact(mesh: TriangleMesh, params: SpectrumParams, ascending: FloatArray) -> Spectrum:
     ascending[: mesh.topology.component_count] = 0.0
     eigenvalues, m = ascending[::-1], len(ascending)
     ranks = (np.arange(m) + 0.5) / max(m, 1)
@@ -160,8 +177,10 @@ def _approximate(mesh: TriangleMesh, params: SpectrumParams) -> Iterator[Progres
     matrix, m = _matrix(mesh, params.matrix), len(mesh.vertices)
     normalized = params.matrix == "normalized_laplacian"
     ends = params.extremes
-    largest = yield from part_of(largest_steps(matrix, ends), 0.0, 0.35)
-    tail = smallest_steps(mesh, matrix, ends, normalized=normalized)
+    largest = yield from part_of(_eigenvalues(largest_steps, matrix, ends), 0.0, 0.35)
+    kernel = np.sqrt(np.maximum(mesh.degrees, 1.0)) if normalized else np.ones(m)
+    components = mesh.topology.vertex_components
+    tail = _eigenvalues(smallest_steps, matrix, components, kernel, ends)
     smallest = yield from part_of(tail, 0.35, 0.65)
     top = 2.0 if normalized else float(largest[-1])
     probes = int(np.clip(_PROBE_ENTRIES // m, 8, 64))
@@ -214,6 +233,6 @@ def _fitted(counts: SpectralCounts, ranks: FloatArray, high: float, low: float) 
     return fitted
 
 
-def _matrix(mesh: TriangleMesh, name: MatrixName) -> csr_array:
+def _matrix(mesh: TriangleMesh, name: MatrixName) -> "csr_array":
     build = laplacian_matrix if name == "laplacian" else normalized_laplacian_matrix
     return build(mesh)

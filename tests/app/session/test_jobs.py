@@ -183,3 +183,44 @@ def test_what_must_finish_is_finished_by_closing():
     owner.jobs.close()
     assert written == ["study", "other"]
     assert not owner.jobs._thread.is_alive()
+
+
+def test_a_cancelled_generator_cleans_up_on_the_worker(owner, gate):
+    cleaned, ended = [], []
+
+    def steps():
+        try:
+            yield 1
+            gate.wait(_LONG)
+            yield 2
+        finally:
+            cleaned.append(threading.current_thread().name)
+
+    begun = []
+    job = owner.jobs.start(Job(steps(), begun.append, on_done=lambda: ended.append(1)))
+    owner.work_until(lambda: begun)
+    job.cancel()
+    gate.set()
+    owner.work_until(lambda: ended)
+    assert cleaned == ["burnish-jobs"]
+
+
+def test_closing_lets_every_generator_clean_up():
+    owner = Owner()
+    cleaned, begun = [], threading.Semaphore(0)
+
+    def steps(name):
+        try:
+            begun.release()
+            while True:
+                yield name
+        finally:
+            cleaned.append(name)
+
+    for name in "ab":
+        owner.jobs.start(Job(steps(name)))
+    for _ in range(2):
+        assert begun.acquire(timeout=_LONG)
+    owner.jobs.close()
+    owner.jobs._thread.join(_LONG)
+    assert sorted(cleaned) == ["a", "b"]
