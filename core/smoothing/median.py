@@ -9,6 +9,7 @@ from core.kernels import kernel, parallel_kernel, prange, unsigned
 from core.mesh import TriangleMesh
 from core.parameters import Params
 from core.smoothing.normal_update import fit_vertices, set_areas_and_normals, set_plane
+from core.smoothing.selection import select
 from core.smoothing.spec import MethodSpec
 
 # Faces a thread handles before it needs new tables: enough to make the tables free, few enough to
@@ -16,8 +17,9 @@ from core.smoothing.spec import MethodSpec
 _BLOCK = 2048
 # Faces whose rings are sorted side by side: enough for the inner loop to be vector instructions.
 _COLUMNS = 64
-# Above this length a ring is sorted by a method that does not take the square of its length.
-_SHORT_ROW = 64
+# Longest ring that is sorted, which takes the square of its length; of longer ones the median is
+# selected, which takes its length: all faces around one vertex are each other's rings.
+_LONGEST_SORTED = 64
 # A cosine of no angle, which fills the columns of shorter rings.
 _BELOW_ALL = -2.0
 
@@ -27,23 +29,28 @@ class MedianParams(Params):
 
 
 @kernel
+def _longest_row(starts: IntArray, first: int, last: int) -> int:
+    length = 0
+    for t in range(first, last):
+        length = max(length, len(range(starts[t], starts[t + 1])))
+    return length
+
+
+@kernel
 def _fill_columns(
     columns: FloatArray,
     counts: IntArray,
     normals: FloatArray,
     first: int,
+    last: int,
     starts: IntArray,
     items: IntArray,
-) -> int:
-    """Cosines of the angles between each face and its ring, a column a face; the longest ring.
+) -> None:
+    """Note the cosines of the angles between each face and its ring, a column a face.
 
     A face without a normal makes no angle, so it does not count.
     """
-    last = min(first + _COLUMNS, len(normals))
-    height = 0
-    for t in range(first, last):
-        height = max(height, len(items[starts[t] : starts[t + 1]]))
-    columns[:height] = _BELOW_ALL
+    columns[:] = _BELOW_ALL
     for t in range(first, last):
         column = t - first
         count = 0
@@ -57,7 +64,6 @@ def _fill_columns(
                 columns[slot, column] = cosine
                 count += 1
         counts[column] = count
-    return height
 
 
 @kernel
@@ -72,12 +78,6 @@ def _sort_upper_half(columns: FloatArray, height: int) -> None:
                 upper, lower = columns[top, column], columns[slot, column]
                 columns[top, column] = upper if upper > lower else lower
                 columns[slot, column] = lower if upper > lower else upper
-
-
-@kernel
-def _sort_columns(columns: FloatArray) -> None:
-    for column in range(columns.shape[1]):
-        columns[:, column] = np.sort(columns[:, column])[::-1]
 
 
 @kernel
@@ -100,6 +100,58 @@ def _note_equal(row: FloatArray, medians: FloatArray, slot: float, slots: FloatA
         slots[column] = slot if row[column] == medians[column] else slots[column]
 
 
+@kernel
+def _set_by_sorting(
+    normals: FloatArray,
+    first: int,
+    last: int,
+    starts: IntArray,
+    items: IntArray,
+    cosines: FloatArray,
+    columns: FloatArray,
+    counts: IntArray,
+    slots: FloatArray,
+    medians: IntArray,
+) -> None:
+    """Note the median faces of some faces with short rings; four tables are scratch."""
+    height = len(cosines)
+    _fill_columns(cosines, counts, normals, first, last, starts, items)
+    columns[:] = cosines
+    _sort_upper_half(columns, height)
+    _find_medians(cosines, columns, counts, height, slots)
+    for t in range(first, last):
+        slot = np.uint32(slots[t - first])
+        medians[t] = items[starts[t] + slot] if counts[t - first] > 0 else t
+
+
+@kernel
+def _set_by_selecting(
+    normals: FloatArray,
+    first: int,
+    last: int,
+    starts: IntArray,
+    items: IntArray,
+    cosines: FloatArray,
+    spare: FloatArray,
+    counts: IntArray,
+    medians: IntArray,
+) -> None:
+    """Note the median faces of some faces with rings of any length; three tables are scratch."""
+    for t in range(first, last):
+        medians[t] = t
+        ring = items[starts[t] : starts[t + 1]]
+        row = cosines[: len(ring)]
+        _fill_columns(row, counts, normals, t, t + 1, starts, items)
+        if counts[0] == 0:
+            continue
+        spare[: len(ring)] = row[:, 0]
+        median = select(spare[: len(ring)], len(ring) - 1 - (counts[0] - 1) // 2)
+        for slot, other in enumerate(ring):
+            if row[slot, 0] == median:
+                medians[t] = other
+                break
+
+
 @parallel_kernel
 def set_median_faces(
     normals: FloatArray, starts: IntArray, items: IntArray, longest: int, medians: IntArray
@@ -110,20 +162,18 @@ def set_median_faces(
     """
     n = len(normals)
     for block in prange((n + _BLOCK - 1) // _BLOCK):
-        cosines = np.empty((longest, _COLUMNS))
-        columns = np.empty((longest, _COLUMNS))
+        cosines = np.empty((_LONGEST_SORTED, _COLUMNS))
+        columns = np.empty((_LONGEST_SORTED, _COLUMNS))
+        row, spare = np.empty((longest, 1)), np.empty(longest)
         counts, slots = np.zeros(_COLUMNS, np.int32), np.zeros(_COLUMNS)
         for first in range(block * _BLOCK, min((block + 1) * _BLOCK, n), _COLUMNS):
-            height = _fill_columns(cosines, counts, normals, first, starts, items)
-            columns[:height] = cosines[:height]
-            if height <= _SHORT_ROW:
-                _sort_upper_half(columns, height)
+            last = min(first + _COLUMNS, n)
+            height = _longest_row(starts, first, last)
+            if height > _LONGEST_SORTED:
+                _set_by_selecting(normals, first, last, starts, items, row, spare, counts, medians)
             else:
-                _sort_columns(columns[:height])
-            _find_medians(cosines, columns, counts, height, slots)
-            for t in range(first, min(first + _COLUMNS, n)):
-                slot = np.uint32(slots[t - first])
-                medians[t] = items[starts[t] + slot] if counts[t - first] > 0 else t
+                tables = cosines[:height], columns[:height], counts, slots
+                _set_by_sorting(normals, first, last, starts, items, *tables, medians)
 
 
 @parallel_kernel
