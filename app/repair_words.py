@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable, Iterator
 from app.usage import UsageError
 from core.doctor import RepairChoice, needed_repairs, repair_spec, repaired
 from core.mesh import TriangleMesh
-from core.parameters import build_params
+from core.parameters import build_params, value_text
 
 ALL = "all"
 NONE = "none"
@@ -37,7 +37,7 @@ def repair_words(choices: Iterable[RepairChoice]) -> str:
 
 def _settings(choice: RepairChoice) -> Iterator[str]:
     for name, value in choice.settings.model_dump(exclude_defaults=True).items():
-        yield f"{name}={value}"
+        yield f"{name}={value_text(value)}"
 
 
 def _choice(word: str) -> RepairChoice:

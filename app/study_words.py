@@ -10,7 +10,7 @@ from app.repair_words import repair_words, repairs_of
 from app.usage import UsageError
 from core.comparison import read_model
 from core.noise import NoiseParams
-from core.parameters import build_params
+from core.parameters import build_params, value_text
 from core.smoothing import method_spec
 from core.study import MethodChoice, Study
 from core.study_files import ChangedModelError, MissingModelError, Role, read_study_file
@@ -71,7 +71,7 @@ def command_of(study: Study) -> str:
 def _setting_words(choice: MethodChoice) -> list[str]:
     changed = choice.settings.model_dump(exclude_defaults=True)
     values = {_ITERATIONS: choice.iterations, **changed}
-    texts = {name: "auto" if value is None else str(value) for name, value in values.items()}
+    texts = {name: value_text(value) for name, value in values.items()}
     return [
         word for name, text in texts.items() for word in ("--set", f"{choice.method}.{name}={text}")
     ]
@@ -88,12 +88,15 @@ def _base(model: str | None, file: Path | None, noisy: str | None) -> Study:
 
 
 def _study_in(file: Path, model: str | None, noisy: str | None) -> Study:
-    """Read a study; models named on the command line take the place of its own as they are."""
+    """Read a study; models named on the command line take the place of its own as they are.
+
+    The second model of the Statistics tab takes no part in a comparison and is left out.
+    """
     named: dict[Role, str | None] = {"model": model, "noisy": noisy}
     chosen = {role: name for role, name in named.items() if name is not None}
     try:
         study = read_study_file(file).locate(
-            unpacked_folder(), chosen=chosen, accepted=chosen.keys()
+            unpacked_folder(), chosen=chosen, accepted=chosen.keys(), with_second=False
         )
     except (MissingModelError, ChangedModelError) as error:
         way = "before --study" if error.role == "model" else "after --noisy"

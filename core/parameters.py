@@ -77,6 +77,29 @@ class Parameter:
         return f"{ends}{' ' + self.unit if self.unit else ''}{' or auto' if self.optional else ''}"
 
 
+def value_text(value: float | int | bool | str | None) -> str:
+    """Return a parameter's value in the words of its domain, as it is typed and printed.
+
+    Parameters
+    ----------
+    value : float, int, bool, str or None
+        The value; None is chosen automatically.
+
+    Returns
+    -------
+    str
+        ``auto``, ``true``, ``false``, or the value itself.
+
+    Examples
+    --------
+    >>> value_text(True), value_text(None), value_text(0.5)
+    ('true', 'auto', '0.5')
+    """
+    if value is None:
+        return "auto"
+    return str(value).lower() if isinstance(value, bool) else str(value)
+
+
 def param(
     default: Any,
     *,

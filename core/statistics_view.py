@@ -38,12 +38,8 @@ class StatisticsSettings(Params):
         return SpectrumParams(matrix=self.matrix)
 
     @property
-    def portable(self) -> "StatisticsSettings":
-        """The settings for a file: without a second model that is a file of this computer.
-
-        Only models whose content a study knows are opened with it, and it knows none of this one.
-        """
+    def second_file(self) -> str | None:
+        """Path of the second model where it is a file, else None."""
         known = {NO_SECOND, NOISY_SECOND, *(METHOD_PREFIX + method for method in METHODS)}
-        if self.second in known or self.second.startswith(SECOND_SAMPLE):
-            return self
-        return self.model_copy(update={"second": NO_SECOND})
+        is_known = self.second in known or self.second.startswith(SECOND_SAMPLE)
+        return None if is_known else self.second

@@ -1,12 +1,49 @@
 """How meshes are looked at: shading, colours, cameras. A part of a study, so undo covers it."""
 
+import math
 from typing import Literal
+
+from pydantic import model_validator
 
 from core.parameters import Params, param
 
 ColourMap = Literal["viridis", "cividis", "magma", "inferno", "gray"]
 ColourRange = Literal["percentile", "full", "manual"]
 Coordinates = tuple[float, float, float]
+
+# A renderer squares lengths and holds them in single precision; models end long before these.
+_SHORTEST, _LONGEST = 1e-18, 1e18
+# Sine of the smallest angle between the line of sight and the direction that is up.
+_PARALLEL = 1e-6
+
+
+def check_camera(position: Coordinates, focal_point: Coordinates, view_up: Coordinates) -> None:
+    """See that a renderer can draw what a camera sees.
+
+    Raises
+    ------
+    ValueError
+        One sentence: a coordinate that is not finite or too large, or a direction that is none.
+    """
+    numbers = (*position, *focal_point, *view_up)
+    if not all(abs(number) <= _LONGEST for number in numbers):
+        raise ValueError(
+            f"Coordinates of a camera must be numbers from −{_LONGEST:g} to {_LONGEST:g}."
+        )
+    sight = tuple(to - at for to, at in zip(focal_point, position, strict=True))
+    shortest = min(math.hypot(*sight), math.hypot(*view_up))
+    if shortest < _SHORTEST or not _sine(sight, view_up) > _PARALLEL:
+        raise ValueError(
+            "This camera sees nothing: its position must lie off the point it looks at, "
+            "and its view_up must point sideways to that line."
+        )
+
+
+def _sine(a: tuple[float, ...], b: tuple[float, ...]) -> float:
+    """Sine of the angle between two directions, whose lengths are not zero."""
+    ax, ay, az = (number / math.hypot(*a) for number in a)
+    bx, by, bz = (number / math.hypot(*b) for number in b)
+    return math.hypot(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
 
 
 class NamedCamera(Params):
@@ -16,6 +53,11 @@ class NamedCamera(Params):
     position: Coordinates = param(..., help="Where the camera is.")
     focal_point: Coordinates = param(..., help="The point it looks at.")
     view_up: Coordinates = param(..., help="Direction that is up in the picture.")
+
+    @model_validator(mode="after")
+    def _sees_something(self) -> "NamedCamera":
+        check_camera(self.position, self.focal_point, self.view_up)
+        return self
 
 
 class ViewSettings(Params):

@@ -3,10 +3,8 @@
 import json
 from typing import Any
 
-import numpy as np
-
 from app.scene.camera import CameraPose
-from core.view import NamedCamera
+from core.view import NamedCamera, check_camera
 
 _EXPECTED = "position, focal_point and view_up with three numbers each"
 
@@ -31,14 +29,21 @@ def read_pose(text: str) -> CameraPose:
     try:
         places = json.loads(text)
         pose = CameraPose(*(_coordinates(places[name]) for name in CameraPose._fields))
-    except (ValueError, KeyError, TypeError) as error:
+    except (ValueError, KeyError, TypeError, OverflowError, RecursionError) as error:
         raise CameraTextError(f"This text is no camera; one has {_EXPECTED}, as JSON.") from error
     _check(pose)
     return pose
 
 
 def named(name: str, pose: CameraPose) -> NamedCamera:
-    """Give a pose a name, for a study to keep."""
+    """Give a pose a name, for a study to keep.
+
+    Raises
+    ------
+    CameraTextError
+        If nothing can be seen from there.
+    """
+    _check(pose)
     return NamedCamera(name=name, **pose._asdict())
 
 
@@ -53,10 +58,7 @@ def _coordinates(place: Any) -> tuple[float, float, float]:
 
 
 def _check(pose: CameraPose) -> None:
-    position, focal, up = (np.array(place) for place in pose)
-    side = np.cross(focal - position, up)
-    if not np.isfinite(side).all() or not np.linalg.norm(side) > 0:
-        raise CameraTextError(
-            "This camera sees nothing: its position must lie off the point it looks at, "
-            "and its view_up must point sideways to that line."
-        )
+    try:
+        check_camera(*pose)
+    except ValueError as error:
+        raise CameraTextError(str(error)) from error

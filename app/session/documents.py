@@ -51,7 +51,7 @@ class Documents:
 
     def __init__(self, session: Session) -> None:
         self._session = session
-        self._documents = [Document()]
+        self._documents = {0: Document()}
         self._place = 0
         self._expected: tuple[Study, Document] | None = None
         # Studies at which another document begins, as the very objects that the history keeps.
@@ -95,10 +95,18 @@ class Documents:
 
     def _adopt(self, study: Study, document: Document) -> None:
         self._expected = None
-        self._place = len(self._documents)
-        self._documents.append(document)
+        self._place = max(self._documents) + 1
+        self._documents[self._place] = document
         self._borders.append((study, self._place))
+        self._forget_what_is_out_of_reach(study)
         self.changed.emit()
+
+    def _forget_what_is_out_of_reach(self, study: Study) -> None:
+        """Keep the current document, and those that undo and redo come to: steps have an end."""
+        reached = {id(one) for one in (study, *self._session.history.studies)}
+        self._borders = [border for border in self._borders if id(border[0]) in reached]
+        places = {self._place, *(place for _, place in self._borders)}
+        self._documents = {place: self._documents[place] for place in sorted(places)}
 
 
 def _is_same_opening(study: Study, opened: Study) -> bool:

@@ -39,6 +39,11 @@ class History:
         """Name of the step that redo would do again."""
         return self._future[-1].name if self._future else None
 
+    @property
+    def studies(self) -> tuple[Study, ...]:
+        """All studies that undo and redo can come to."""
+        return tuple(step.study for step in (*self._past, *self._future))
+
     def record(self, before: Study, name: str) -> None:
         """Record that `before` is about to be changed."""
         now = time.monotonic()

@@ -106,7 +106,7 @@ class MeshReader:
     def _file(self, model: str) -> tuple[LoadedMesh, Fingerprint]:
         key = (model, _changed_at(model))
         if key not in self._files:
-            self._files[key] = self._last_known(model) or _read_with_mark(model)
+            self._files[key] = self._last_known(model) or read_with_mark(model)
         while len(self._files) > _KEPT:
             self._files.pop(next(iter(self._files)))
         return self._files[key]
@@ -119,8 +119,14 @@ class MeshReader:
         return self._files[known[-1]] if known else None
 
 
-def _read_with_mark(model: str) -> tuple[LoadedMesh, Fingerprint]:
-    """Read a model and say what its file was; both must be of the same content."""
+def read_with_mark(model: str) -> tuple[LoadedMesh, Fingerprint]:
+    """Read a model and say what its file was; both are of the same content.
+
+    Raises
+    ------
+    LoadError
+        If it cannot be read, or changes meanwhile.
+    """
     before = _changed_at(model)
     loaded = read_model(model)
     with suppress(OSError):

@@ -14,6 +14,7 @@ from app.session.runs import Run
 from app.session.sentences import sentence_of
 from app.session.study_runs import StudyRuns
 from core.study import SAMPLE_PREFIX, Study
+from core.study_files import Fingerprint
 
 _BUDGET = 4 * 1024**3
 
@@ -33,12 +34,16 @@ class Session:
 
     Attributes
     ----------
+    post : callable
+        Runs a function on the owner's thread.
     tasks : RunningTasks
         All that runs, of the study and beside it.
     jobs : Jobs
         Carries out what is computed.
     saving : Jobs
         Carries out what is saved, which closing waits for.
+    others : dict of str to Fingerprint
+        What each file that is not one of the meshes was when it was read.
     """
 
     study_changed = Signal(Study, Study)
@@ -55,11 +60,15 @@ class Session:
     """Something went wrong that should not: a fault of the program."""
     notified = Signal(str)
     """Something worth a line in the status bar."""
+    closing = Signal()
+    """All work is about to stop: what waits for the owner's thread waits in vain."""
 
     def __init__(self, post: Post, *, budget: int = _BUDGET) -> None:
         self.study = Study()
         self.meshes: Meshes | None = None
+        self.others: dict[str, Fingerprint] = {}
         self.history = History()
+        self.post = post
         self.tasks = RunningTasks()
         self.jobs = Jobs(post, self.tasks)
         self.saving = Jobs(post, self.tasks, must_finish=True)
@@ -106,6 +115,7 @@ class Session:
 
     def close(self) -> None:
         """Stop all work for good; only what is being saved is saved."""
+        self.closing.emit()
         self.jobs.close()
         self.saving.close()
         self.tasks.cancel_all()
@@ -118,6 +128,11 @@ class Session:
         """Return the iteration to show: the chosen one, or the last before it that is there."""
         run = self.run(method)
         return run.nearest(self.study.choice(method).iterations) if run else 0
+
+    @property
+    def fingerprints(self) -> dict[str, Fingerprint]:
+        """What each file of the study was when it was read."""
+        return {**self.others, **(self.meshes.fingerprints if self.meshes else {})}
 
     @property
     def activity(self) -> str | None:

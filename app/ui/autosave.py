@@ -86,7 +86,7 @@ class Autosave(QObject):
             return
         document = self._documents.current
         try:
-            text = study_text(self._session.study, self.folder, meshes.fingerprints)
+            text = study_text(self._session.study, self.folder, self._session.fingerprints)
             kept = {
                 "title": document.path.name if document.path else meshes.name,
                 "document": str(document.path) if document.path else None,

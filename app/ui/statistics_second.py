@@ -1,19 +1,21 @@
 """The model that is laid over the first: a file, a sample, or the session's own other meshes."""
 
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
 from app.session import Job, Session
+from app.session.meshes import read_with_mark
 from app.ui.statistics_work import Model
-from core.comparison import read_model
-from core.io import LoadedMesh, bundled_samples
+from core.io import LoadedMesh, LoadError, bundled_samples
 from core.mesh import TriangleMesh
 from core.smoothing import METHODS
 from core.statistics_view import METHOD_PREFIX, NO_SECOND, NOISY_SECOND
 from core.study import SAMPLE_PREFIX, Study
+from core.study_files import Fingerprint, fingerprint
 
 NONE, OPEN = NO_SECOND, "open"
 _NOISY, _METHOD = NOISY_SECOND, METHOD_PREFIX
@@ -92,7 +94,7 @@ class SecondModel(QObject):
     def _on_study_changed(self, study: Study, before: Study) -> None:
         if study.statistics.second == before.statistics.second:
             return
-        if self._is_file(self.chosen) and self.chosen not in self._loaded:
+        if self._is_file(self.chosen):
             self._load(self.chosen, lambda _: self.changed.emit())
         self.changed.emit()
 
@@ -101,11 +103,11 @@ class SecondModel(QObject):
         return id_ not in {NONE, _NOISY} and not id_.startswith(_METHOD)
 
     def _load(self, id_: str, use: Callable[[str], None]) -> None:
-        def read() -> Iterator[LoadedMesh]:
-            yield self._loaded.get(id_) or read_model(id_)
+        def read() -> Iterator[tuple[LoadedMesh, Fingerprint]]:
+            yield self._known(id_) or read_with_mark(id_)
 
-        def loaded(mesh: LoadedMesh) -> None:
-            self._loaded[id_] = mesh
+        def loaded(result: tuple[LoadedMesh, Fingerprint]) -> None:
+            self._loaded[id_], self._session.others[id_] = result
             use(id_)
 
         def failed(error: Exception) -> None:
@@ -114,6 +116,16 @@ class SecondModel(QObject):
 
         job = Job(read(), loaded, failed, title=f"Loading {_short(id_)}")
         self._session.jobs.start(job, urgent=True)
+
+    def _known(self, id_: str) -> tuple[LoadedMesh, Fingerprint] | None:
+        """What a model was when it was read, unless its file has changed since."""
+        mesh, mark = self._loaded.get(id_), self._session.others.get(id_)
+        if mesh is None or mark is None:
+            return None
+        with suppress(OSError, LoadError):  # a file that is gone is still what it was
+            if fingerprint(id_) != mark:
+                return None
+        return mesh, mark
 
 
 def _short(path: str) -> str:

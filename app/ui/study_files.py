@@ -25,7 +25,6 @@ from core.io import SUPPORTED_READ
 from core.study import SAMPLE_PREFIX, Study
 from core.study_files import (
     STUDY_SUFFIX,
-    Fingerprint,
     StudyFileError,
     read_study_file,
     write_study_file,
@@ -156,7 +155,7 @@ class StudyFiles:
     def _write(self, path: Path, packed: bool, then: Callable[[], object]) -> None:
         """Write beside the window: packing large models takes a while."""
         study = self._session.study
-        known: dict[str, Fingerprint] = dict(self._session.meshes.fingerprints)
+        known = self._session.fingerprints
 
         def steps() -> Iterator[bool]:
             write_study_file(study, path, packed=packed, known=known)

@@ -35,13 +35,17 @@ class StudyOpening:
         self._window, self._file, self._use = window, file, use
         self._chosen: dict[Role, str] = {}
         self._accepted: set[Role] = set()
+        self._with_second = True
 
     def start(self) -> None:
         """Look for the models beside the window: comparing large files takes a while."""
 
         def steps() -> Iterator[Study]:
             forget_old(unpacked_folder())
-            yield self._file.locate(unpacked_folder(), chosen=self._chosen, accepted=self._accepted)
+            yield self._file.locate(
+                unpacked_folder(), chosen=self._chosen, accepted=self._accepted,
+                with_second=self._with_second,
+            )  # fmt: skip
 
         job = Job(steps(), self._use, self._failed, title="Opening the study")
         self._window.session.jobs.start(job, urgent=True)
@@ -61,6 +65,8 @@ class StudyOpening:
         if changed:
             anyway = box.addButton("Use it anyway", _Role.AcceptRole)
             anyway.clicked.connect(lambda: self._accept(error.role))
+        if error.role == "second":
+            box.addButton("Open without it", _Role.AcceptRole).clicked.connect(self._leave_second)
         choose = box.addButton("Choose a file…", _Role.ActionRole)
         choose.clicked.connect(lambda: self._choose(error.role))
         box.setDefaultButton(box.addButton(QMessageBox.StandardButton.Cancel))
@@ -68,6 +74,10 @@ class StudyOpening:
 
     def _accept(self, role: Role) -> None:
         self._accepted.add(role)
+        self.start()
+
+    def _leave_second(self) -> None:
+        self._with_second = False
         self.start()
 
     def _choose(self, role: Role) -> None:

@@ -11,12 +11,19 @@ from core.parameters import Params, param
 from core.smoothing import METHODS
 from core.study import Study
 from core.study_files.fingerprints import Fingerprint
+from core.study_files.places import Role, models_of
 
 FORMAT = "burnish study"
-FORMAT_VERSION = 1
+FORMAT_VERSION = 2
 MOST_BYTES = 4 * 1024**2
 
-MIGRATIONS: dict[int, Callable[[dict[str, Any]], dict[str, Any]]] = {}
+
+def _with_second_model(plain: dict[str, Any]) -> dict[str, Any]:
+    """Turn version 1 into 2, which may name a file as the second model; version 1 never did."""
+    return {**plain, "version": 2}
+
+
+MIGRATIONS: dict[int, Callable[[dict[str, Any]], dict[str, Any]]] = {1: _with_second_model}
 """What turns a document of a version into one of the next; version 1 is the first."""
 
 
@@ -29,10 +36,9 @@ class Document(Params):
     files: dict[str, Fingerprint] = param(..., help="Fingerprint of each model.")
 
 
-def write_document(study: Study, files: Mapping[str, Fingerprint]) -> str:
+def write_document(study: Study, files: Mapping[Role, Fingerprint]) -> str:
     """Return a study, whose models are already named as in a file, as JSON."""
-    study = study.model_copy(update={"statistics": study.statistics.portable})
-    document = Document(study=study, files=dict(files))
+    document = Document(study=study, files={**files})
     # The document's own version says it all.
     plain = document.model_dump(mode="json", exclude={"study": {"version"}})
     return json.dumps(plain, indent=1, ensure_ascii=False) + "\n"
@@ -92,13 +98,15 @@ def _phrase(error: ValidationError) -> str:
         return f"has the field {name[:80]}, which this Burnish does not know"
     if first["type"] == "missing":
         return f"lacks the field {name}"
+    if first["type"] == "value_error":
+        return f"has {name[:80]}, which is not allowed: {first['ctx']['error']}"
     return f"has {name[:80]}={str(first['input'])[:40]}, which is not allowed: {first['msg']}"
 
 
 def _check(document: Document) -> None:
     """Check what the types of the fields cannot: ids, and the parameters that belong to them."""
     study = document.study
-    named = {"model", "noisy"} if study.noisy is not None else {"model"}
+    named = models_of(study).keys()
     if document.files.keys() != named:
         raise ValueError(f"must hold the fingerprints of: {', '.join(sorted(named))}")
     methods = [choice.method for choice in study.methods]
@@ -108,14 +116,10 @@ def _check(document: Document) -> None:
     _ = [choice.settings for choice in study.repairs]
     _ = [view.settings for view in study.skeleton.views]
     _ = study.statistics.geodesic_params
-    if study.statistics != study.statistics.portable:
-        raise ValueError(
-            f"has statistics.second={study.statistics.second[:40]}; "
-            "allowed: none, noisy, method:ID, sample:ID"
-        )
     for name, id_, allowed in (
         ("metric", study.metric, METRICS),
         ("view.colour", study.view.colour, ("none", *METRICS)),
+        ("view.compare_with", study.view.compare_with, ("original", "noisy", *METHODS)),
         *(("source", v.source, ("original", "noisy", *METHODS)) for v in study.skeleton.views),
     ):
         if id_ not in allowed:

@@ -16,7 +16,7 @@ class ModelError(StudyFileError):
 
     Attributes
     ----------
-    role : {"model", "noisy"}
+    role : {"model", "noisy", "second"}
         Which of the study's models.
     place : str
         Where it was looked for: a path, or ``sample:ID``.

@@ -1,19 +1,35 @@
 """How a study file names a model: by relative path, as a bundled one, or packed beside it."""
 
 import os
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Literal
 
 from core.io import SUPPORTED_READ
-from core.study import SAMPLE_PREFIX
+from core.study import SAMPLE_PREFIX, Study
 
-Role = Literal["model", "noisy"]
-"""Which model of a study."""
+Role = Literal["model", "noisy", "second"]
+"""Which model of a study: the original, its noisy file, or the Statistics tab's second model."""
 
-ROLES: tuple[Role, ...] = ("model", "noisy")
 PACKED_PREFIX = "packed:"
 
 _LONGEST = 4096
+
+
+def models_of(study: Study) -> dict[Role, str]:
+    """Return the models that a study names, by role."""
+    models: dict[Role, str | None] = {
+        "model": study.model, "noisy": study.noisy, "second": study.statistics.second_file,
+    }  # fmt: skip
+    return {role: model for role, model in models.items() if model is not None}
+
+
+def with_models(study: Study, models: Mapping[Role, str]) -> Study:
+    """Return a study that names some of its models otherwise."""
+    second = models.get("second", study.statistics.second)
+    update: dict[str, object] = {role: models[role] for role in models if role != "second"}
+    update["statistics"] = study.statistics.model_copy(update={"second": second})
+    return study.model_copy(update=update)
 
 
 def written_place(model: str, folder: Path) -> str:

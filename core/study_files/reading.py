@@ -7,16 +7,26 @@ from pathlib import Path
 from zipfile import is_zipfile
 
 from core.io import LoadError
+from core.statistics_view import NO_SECOND
 from core.study import Study
 from core.study_files.document import MOST_BYTES, read_document
 from core.study_files.errors import ChangedModelError, MissingModelError, StudyFileError
 from core.study_files.fingerprints import Fingerprint, fingerprint, model_path
 from core.study_files.packing import MOST_MODEL_BYTES, packed_document, unpack
-from core.study_files.places import PACKED_PREFIX, ROLES, Role, place_name, read_place
+from core.study_files.places import (
+    PACKED_PREFIX,
+    Role,
+    models_of,
+    place_name,
+    read_place,
+    with_models,
+)
 
 STUDY_SUFFIX = ".burnish"
 
-_TITLES = {"model": "model", "noisy": "noisy file"}
+_TITLES: dict[Role, str] = {
+    "model": "model", "noisy": "noisy file", "second": "second model",
+}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -46,6 +56,7 @@ class StudyFile:
         *,
         chosen: Mapping[Role, str] | None = None,
         accepted: Collection[Role] = (),
+        with_second: bool = True,
     ) -> Study:
         """Return the study with its models found and their content compared.
 
@@ -58,8 +69,10 @@ class StudyFile:
             Folder for packed models; each goes into a folder named by its content.
         chosen : mapping, optional
             Models to take instead of those that the file names: path or ``sample:ID`` by role.
-        accepted : collection of {"model", "noisy"}
+        accepted : collection of {"model", "noisy", "second"}
             Models whose content may differ from what the study says.
+        with_second : bool
+            Look for the second model where it is a file; without it the study has none.
 
         Returns
         -------
@@ -73,12 +86,12 @@ class StudyFile:
         StudyFileError
             If a packed model is damaged or cannot be put into `unpack_to`.
         """
-        found: dict[str, str] = {
+        study = self.study if with_second else _without_second_file(self.study)
+        found = {
             role: self._found(role, (chosen or {}).get(role), unpack_to, role in accepted)
-            for role in ROLES
-            if getattr(self.study, role) is not None
+            for role in models_of(study)
         }
-        return self.study.model_copy(update=found)
+        return with_models(study, found)
 
     def _found(self, role: Role, chosen: str | None, unpack_to: Path, accepted: bool) -> str:
         place = chosen or self._place(role, unpack_to)
@@ -103,7 +116,7 @@ class StudyFile:
         return place
 
     def _place(self, role: Role, unpack_to: Path) -> str:
-        text = getattr(self.study, role)
+        text = models_of(self.study)[role]
         try:
             if not (self.packed and text.startswith(PACKED_PREFIX)):
                 return read_place(text, self.path.parent)
@@ -161,6 +174,10 @@ def parse_study(content: bytes, path: Path, *, packed: bool = False) -> StudyFil
     except ValueError as error:
         raise StudyFileError(f"{path.name}: {str(error).removesuffix('.')}.") from error
     return StudyFile(path, document.study, document.files, packed)
+
+
+def _without_second_file(study: Study) -> Study:
+    return with_models(study, {"second": NO_SECOND}) if study.statistics.second_file else study
 
 
 def _plain_content(file: Path) -> bytes:

@@ -9,7 +9,14 @@ from core.study_files.document import write_document
 from core.study_files.errors import StudyFileError
 from core.study_files.fingerprints import Fingerprint, fingerprint
 from core.study_files.packing import pack, packable
-from core.study_files.places import PACKED_PREFIX, ROLES, place_name, written_place
+from core.study_files.places import (
+    PACKED_PREFIX,
+    Role,
+    models_of,
+    place_name,
+    with_models,
+    written_place,
+)
 from core.whole_files import write_atomically
 
 
@@ -30,10 +37,10 @@ def study_text(study: Study, folder: Path, known: Mapping[str, Fingerprint] | No
     OSError, LoadError
         If a model whose fingerprint is not known cannot be read.
     """
-    models = _models(study)
+    models = models_of(study)
     marks = {role: (known or {}).get(m) or fingerprint(m) for role, m in models.items()}
     places = {role: written_place(model, folder) for role, model in models.items()}
-    return write_document(study.model_copy(update=places), marks)
+    return write_document(with_models(study, places), marks)
 
 
 def write_study_file(
@@ -79,10 +86,10 @@ def write_study_file(
 
 
 def _packed(study: Study, folder: Path, known: Mapping[str, Fingerprint]) -> bytes:
-    places: dict[str, str] = {}
-    marks: dict[str, Fingerprint] = {}
+    places: dict[Role, str] = {}
+    marks: dict[Role, Fingerprint] = {}
     members: dict[str, bytes] = {}
-    for role, model in _models(study).items():
+    for role, model in models_of(study).items():
         if model.startswith(SAMPLE_PREFIX):
             places[role], marks[role] = model, fingerprint(model)
             continue
@@ -92,8 +99,4 @@ def _packed(study: Study, folder: Path, known: Mapping[str, Fingerprint]) -> byt
         member = f"{role}/{name}"
         places[role], marks[role] = PACKED_PREFIX + member, Fingerprint.of(content)
         members[member] = content
-    return pack(write_document(study.model_copy(update=places), marks), members)
-
-
-def _models(study: Study) -> dict[str, str]:
-    return {role: model for role in ROLES if (model := getattr(study, role)) is not None}
+    return pack(write_document(with_models(study, places), marks), members)

@@ -4,7 +4,7 @@ from typing import Literal
 
 import pytest
 
-from core.parameters import ParameterError, Params, build_params, describe, param
+from core.parameters import ParameterError, Params, build_params, describe, param, value_text
 
 
 class Example(Params):
@@ -24,6 +24,14 @@ def test_describe_tells_a_form_all_it_needs():
     assert (form.kind, form.choices) == ("choice", ("round", "flat"))
     assert (limit.kind, limit.optional, limit.default) == ("float", True, None)
     assert on.kind == "bool"
+
+
+@pytest.mark.parametrize("parameter", describe(Example), ids=lambda parameter: parameter.name)
+def test_a_default_is_written_as_it_is_typed(parameter):
+    text = value_text(parameter.default)
+    assert build_params(Example, {parameter.name: text}) == Example()
+    if parameter.kind in {"bool", "choice"}:
+        assert text in parameter.domain.split(" or ")
 
 
 def test_strings_from_a_command_line_are_converted():

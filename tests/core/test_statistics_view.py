@@ -22,16 +22,18 @@ def test_a_second_model_that_everyone_has_is_kept(second):
     assert read_document(text(study).encode()).study.statistics == settings
 
 
-def test_a_second_model_of_this_computer_is_left_out_of_files():
-    study = Study(statistics=StatisticsSettings(second="/home/me/secret.ply", matrix="laplacian"))
-    assert "secret" not in text(study)
-    assert read_document(text(study).encode()).study.statistics.second == "none"
+@pytest.mark.parametrize(
+    ("second", "file"),
+    [("none", None), ("sample:torus", None), ("method:mean", None), ("/a/b.ply", "/a/b.ply")],
+)
+def test_it_is_known_which_second_model_is_a_file(second, file):
+    assert StatisticsSettings(second=second).second_file == file
 
 
-def test_a_file_that_names_another_file_is_refused():
+def test_a_second_model_without_its_fingerprint_is_refused():
     plain = json.loads(text(Study()))
-    plain["study"]["statistics"]["second"] = "//server/share.ply"
-    with pytest.raises(ValueError, match=r"statistics\.second"):
+    plain["study"]["statistics"]["second"] = "share.ply"
+    with pytest.raises(ValueError, match="must hold the fingerprints of: model, second"):
         read_document(json.dumps(plain).encode())
 
 

@@ -181,12 +181,13 @@ def test_every_older_version_has_a_way_to_this_one():
 
 
 def test_an_old_version_that_is_damaged_is_one_sentence(file, tmp_path, monkeypatch):
-    monkeypatch.setattr(document, "FORMAT_VERSION", 2)
-    monkeypatch.setitem(document.MIGRATIONS, 1, lambda plain: plain["missing"]["field"])
-    assert refused(file, tmp_path) == "a.burnish: is damaged (it says format version 1)."
+    this = document.FORMAT_VERSION
+    monkeypatch.setattr(document, "FORMAT_VERSION", this + 1)
+    monkeypatch.setitem(document.MIGRATIONS, this, lambda plain: plain["missing"]["field"])
+    assert refused(file, tmp_path) == f"a.burnish: is damaged (it says format version {this})."
 
 
-@pytest.mark.parametrize("version", [0, -1, 1.0, True, None, "1", [], 10**400, 2, 999])
+@pytest.mark.parametrize("version", [0, -1, 1.0, True, None, "1", [], 10**400, 3, 999])
 def test_versions_that_are_not_known_are_told(version, file, plain, tmp_path):
     file.write_text(json.dumps({**plain, "version": version}))
     assert "version" in refused(file, tmp_path)

@@ -60,7 +60,7 @@ def test_a_plain_file_names_the_model_relative_to_itself(study, file, models, tm
     write_study_file(study, file)
     plain = json.loads(file.read_text())
     assert plain["format"] == "burnish study"
-    assert plain["version"] == 1
+    assert plain["version"] == 2
     assert plain["study"]["model"] == "../models/ball.ply"
     assert plain["files"]["model"]["size"] == (models / "ball.ply").stat().st_size
     assert len(plain["files"]["model"]["sha256"]) == 64
@@ -229,11 +229,16 @@ def test_old_versions_migrate(study, file, tmp_path, monkeypatch):
     write_study_file(study, file)
 
     def renamed(plain):
-        return {**plain, "version": 2}
+        return {**plain, "version": 3}
 
-    monkeypatch.setattr(document, "FORMAT_VERSION", 2)
-    monkeypatch.setitem(document.MIGRATIONS, 1, renamed)
+    monkeypatch.setattr(document, "FORMAT_VERSION", 3)
+    monkeypatch.setitem(document.MIGRATIONS, 2, renamed)
     assert read_study_file(file).locate(tmp_path) == study
+
+
+def test_version_1_which_knew_no_second_file_is_read(study, file, tmp_path):
+    old = edited(study, file, lambda plain: plain.update(version=1))
+    assert read_study_file(old).locate(tmp_path) == study
 
 
 @given(cut=st.integers(0, 900), flip=st.integers(0, 900), value=st.integers(0, 255))

@@ -43,7 +43,7 @@ def _stay_inside(folder: Path) -> None:
 
     from app.ui import downloads
 
-    def download(example: str) -> str:
+    def download(example: str, _: downloads.Meter) -> str:
         time.sleep(0.2)
         if len(example) % 2:
             raise downloads.DownloadError(f"{example} cannot be downloaded: there is no network.")

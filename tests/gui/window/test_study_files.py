@@ -160,7 +160,7 @@ def test_a_study_can_be_dropped_on_the_window(user, saved):
 
 def test_a_bad_study_is_one_sentence_and_all_stays(user, saved, tmp_path):
     bad = tmp_path / "bad.burnish"
-    bad.write_text(saved.read_text().replace('"version": 1', '"version": 9'))
+    bad.write_text(saved.read_text().replace('"version": 2', '"version": 9'))
     open_study(user, bad)
     assert "was written by a newer Burnish" in answer(user, "OK")
     assert user.window.windowTitle() == "first.burnish – ball.ply – Burnish"
