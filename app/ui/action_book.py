@@ -2,11 +2,11 @@
 
 from collections.abc import Callable, Mapping
 
-import qtawesome
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QMainWindow, QMenu
 
 from app.ui.actions import COMMANDS, Command
+from app.ui.icons import font_icon
 
 
 class ActionBook:
@@ -73,7 +73,7 @@ class ActionBook:
         """Draw the icons in the colour of the text."""
         for command in COMMANDS:
             if command.icon:
-                self[command.id].setIcon(qtawesome.icon(command.icon, color=colour))
+                self[command.id].setIcon(font_icon(command.icon, color=colour))
 
     def _tell(self, command: str) -> None:
         action = self[command]

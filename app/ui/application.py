@@ -1,5 +1,6 @@
 """Starts Qt and the window."""
 
+import gc
 import os
 
 # pyvistaqt asks qtpy for a binding; say which before either is imported.
@@ -17,6 +18,9 @@ def start(model: str) -> int:
     Without a display or OpenGL the exit status is returned, after one sentence on standard error.
     """
     start_logging()
+    # Nearly all that is made until the window is there stays as long as the window. To look through
+    # it for what does not takes a fifth of a second each time, and the window would stand still.
+    gc.disable()
     QCoreApplication.setOrganizationName("Burnish")
     QCoreApplication.setApplicationName("Burnish")
     application = make_application()
@@ -28,6 +32,8 @@ def start(model: str) -> int:
     window = MainWindow()
     window.faults.install()
     window.show()
+    gc.freeze()
+    gc.enable()
     window.files.open(model)
     offer_leftovers(window)
     try:

@@ -3,10 +3,11 @@
 from collections.abc import Callable
 from typing import Any
 
-import qtawesome
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer
 from PySide6.QtGui import QMouseEvent, QPalette
 from PySide6.QtWidgets import QLabel, QSlider, QStyle, QStyleOptionSlider, QToolButton, QWidget
+
+from app.ui.icons import font_icon
 
 
 class Coalesced(QTimer):
@@ -83,7 +84,7 @@ class IconButton(QToolButton):
 
     def _colour_icon(self) -> None:
         ink = self.palette().color(QPalette.ColorRole.WindowText)
-        self.setIcon(qtawesome.icon(self._icon, color=ink))
+        self.setIcon(font_icon(self._icon, color=ink))
 
 
 class FaintLabel(QLabel):

@@ -1,12 +1,12 @@
 """One finding of the mesh doctor: what it is, what it means, where it is, and a repair."""
 
-import qtawesome
 from PySide6.QtCore import QEvent, Signal
 from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QFrame, QGridLayout, QHBoxLayout, QLabel, QPushButton
 
 from app.ui.controls import FaintLabel
 from app.ui.doctor_sign import DEFECT_COLOUR, DEFECT_ICON, NOTE_ICON
+from app.ui.icons import font_icon
 from app.ui.parameter_form import ParameterForm
 from core.doctor import Finding, repair_spec
 from core.parameters import describe
@@ -100,7 +100,7 @@ class FindingCard(QFrame):
     def _draw_icon(self) -> None:
         ink = self.palette().color(QPalette.ColorRole.PlaceholderText).name()
         defect = self.finding.is_defect
-        icon = qtawesome.icon(
+        icon = font_icon(
             DEFECT_ICON if defect else NOTE_ICON, color=DEFECT_COLOUR if defect else ink
         )
         self._icon.setPixmap(icon.pixmap(_ICON_PIXELS, _ICON_PIXELS))

@@ -1,11 +1,11 @@
 """A quiet line in the model panel that says whether the doctor found something."""
 
-import qtawesome
 from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QSizePolicy, QToolButton
 
 from app.session.doctor import Doctor
+from app.ui.icons import font_icon
 
 DEFECT_ICON, SOUND_ICON, NOTE_ICON = "mdi6.alert", "mdi6.check-circle", "mdi6.information-outline"
 DEFECT_COLOUR, SOUND_COLOUR = "#d97706", "#2e9d63"
@@ -52,7 +52,7 @@ class DoctorSign(QToolButton):
 
     def _show(self, text: str, icon: str, colour: str, tip: str) -> None:
         self.setText(text)
-        self.setIcon(qtawesome.icon(icon, color=colour))
+        self.setIcon(font_icon(icon, color=colour))
         self.setToolTip(tip)
         self.setAccessibleName(f"Mesh doctor: {text}")
 

@@ -46,6 +46,8 @@ class EmptyPanel(QWidget):
         self._choices.setVisible(session.activity is None)
         self._loading.setVisible(session.activity is not None)
         self.setVisible(session.meshes is None)
+        # What is covered need not be drawn: the first picture of the window would have to wait.
+        self._viewport.interactor.setUpdatesEnabled(session.meshes is not None)
         self._cover()
 
     def eventFilter(self, _: QObject, event: QEvent) -> bool:
