@@ -1,7 +1,7 @@
 """A figure of panes in a grid with captions (a), (b), (c), as in figure 2.10 of the thesis."""
 
 import io
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Protocol
@@ -24,12 +24,15 @@ from app.export.montage_plan import (
     Montage,
     montage_layout,
 )
-from app.export.pictures import Picture, PictureError, prefer_headless_graphics, unmix
+from app.export.pictures import Picture, PictureError, prefer_headless_graphics, shot, unmix
 from app.scene.camera import CameraPose
 from app.scene.colours import LIGHT, Theme
 from app.scene.grid import GRID_SHAPE, PaneGrid
 from app.scene.panes import Look, Pane
 from core.whole_files import write_atomically
+
+Drawn = Picture | Callable[[], Picture]
+"""A picture, or what draws it without VTK, and so on any thread."""
 
 SUFFIXES = (".png", ".pdf", ".tiff")
 SCREEN_DPI = 96.0
@@ -64,7 +67,7 @@ class Source:
     def pictures(
         self, look: Look, chosen: Sequence[str], size: tuple[int, int], dpi: float,
         *, transparent: bool,
-    ) -> list[Picture]:  # fmt: skip
+    ) -> Iterator[Picture]:  # fmt: skip
         """Draw panes, each alone and without its text, into pictures of one size."""
         prefer_headless_graphics()
         panes = {pane.id: pane for pane in self.panes}
@@ -74,10 +77,8 @@ class Source:
         try:
             grid = PaneGrid(plotter)
             look = replace(look, text_scale=dpi / SCREEN_DPI)
-            return [
-                _cell_picture(grid, panes[id_], look, self, size, transparent=transparent)
-                for id_ in chosen
-            ]
+            for id_ in chosen:
+                yield _cell_picture(grid, panes[id_], look, self, size, transparent=transparent)
         finally:
             plotter.close()
 
@@ -101,14 +102,14 @@ class PictureSource(Protocol):
     def pictures(
         self, look: Look, chosen: Sequence[str], size: tuple[int, int], dpi: float,
         *, transparent: bool,
-    ) -> list[Picture]:  # fmt: skip
+    ) -> Iterator[Drawn]:  # fmt: skip
         """Draw some of the entries in a look, each into a picture of `size` pixels."""
 
 
-def montage_figure(
-    montage: Montage, source: PictureSource, draw: Callable[..., list[Picture]] | None = None
-) -> Figure:
-    """Compose a montage; what is shown on the screen and what is saved both come from here.
+def montage_pictures(
+    montage: Montage, source: PictureSource, draw: Callable[..., Iterable[Drawn]] | None = None
+) -> Iterable[Drawn]:
+    """Draw the pictures of a montage, one by one.
 
     Parameters
     ----------
@@ -119,25 +120,73 @@ def montage_figure(
     draw : callable, optional
         Used in place of the source's own `pictures`, to keep them between calls.
     """
-    look = grounded(source.look, montage.ground)
-    with_bar = montage.bar and bool(look.colour_title)
-    layout = montage_layout(montage, with_bar=with_bar)
+    look, layout = grounded(source.look, montage.ground), _layout(montage, source)
     dots = montage.dpi / INCH
     size = (max(round(layout.cell_width * dots), 1), max(round(layout.cell_height * dots), 1))
     chosen = [cell.pane for cell in montage.cells]
-    drawn = (draw or source.pictures)(
-        look, chosen, size, montage.dpi, transparent=montage.ground == "transparent"
-    )
+    transparent = montage.ground == "transparent"
+    return (draw or source.pictures)(look, chosen, size, montage.dpi, transparent=transparent)
+
+
+def montage_figure(
+    montage: Montage, source: PictureSource, pictures: Iterable[Drawn] | None = None
+) -> Figure:
+    """Compose a montage; what is shown on the screen and what is saved both come from here.
+
+    Parameters
+    ----------
+    montage : Montage
+        What to show.
+    source : PictureSource
+        Where the pictures come from.
+    pictures : iterable, optional
+        Its pictures where they are drawn already.
+    """
+    look, layout = grounded(source.look, montage.ground), _layout(montage, source)
+    dots = montage.dpi / INCH
     inches = [
         _whole_pixels(length * dots) / montage.dpi for length in (layout.width, layout.height)
     ]
     figure = Figure(figsize=(inches[0], inches[1]), dpi=montage.dpi)
     figure.set_facecolor("none" if montage.ground == "transparent" else look.theme.ground)
-    for place, picture in enumerate(drawn):
-        _place_picture(figure, montage, layout, place, picture, look.theme)
-    if with_bar:
+    if pictures is None:
+        pictures = montage_pictures(montage, source)
+    for place, drawn in enumerate(pictures):
+        _place_picture(figure, montage, layout, place, finished(drawn), look.theme)
+    if _has_bar(montage, source):
         _place_bar(figure, montage, layout, look)
     return figure
+
+
+def write_montage(
+    montage: Montage, source: PictureSource, path: Path, pictures: Iterable[Drawn]
+) -> Iterator[float]:
+    """Write a montage of pictures that are being drawn; yield the share that is done.
+
+    Raises
+    ------
+    PictureError
+        As :func:`save_montage`.
+    """
+    kept: list[Drawn] = []
+    for drawn in pictures:
+        kept.append(finished(drawn))
+        yield len(kept) / (len(montage.cells) + 1)
+    save_montage(montage_figure(montage, source, kept), path)
+    yield 1.0
+
+
+def finished(drawn: Drawn) -> Picture:
+    """Return a picture, drawing what is not drawn yet."""
+    return drawn() if callable(drawn) else drawn
+
+
+def _has_bar(montage: Montage, source: PictureSource) -> bool:
+    return montage.bar and bool(source.look.colour_title)
+
+
+def _layout(montage: Montage, source: PictureSource) -> Layout:
+    return montage_layout(montage, with_bar=_has_bar(montage, source))
 
 
 def _whole_pixels(length: float) -> float:
@@ -191,8 +240,8 @@ def _cell_picture(
     grid.show([replace(pane, title="", caption="")], look, size)
     _aim(grid, pane.id, source, size[0] / size[1])
     if not transparent:
-        return _shot(grid, look.theme.ground)
-    return unmix(_shot(grid, "black"), _shot(grid, "white"))
+        return shot(grid, look.theme.ground, None)
+    return unmix(shot(grid, "black", None), shot(grid, "white", None))
 
 
 def _aim(grid: PaneGrid, pane: str, source: Source, aspect: float) -> None:
@@ -206,14 +255,6 @@ def _aim(grid: PaneGrid, pane: str, source: Source, aspect: float) -> None:
     if aspect < source.aspect:
         half = np.tan(np.radians(15.0)) * source.aspect / aspect
         camera.SetViewAngle(2 * np.degrees(np.arctan(half)))
-
-
-def _shot(grid: PaneGrid, ground: str) -> Picture:
-    grid.set_ground(ground, None)
-    grid.fit_clipping()
-    grid.plotter.render()
-    picture: Picture = grid.plotter.screenshot(return_img=True)
-    return picture[..., :3]
 
 
 def _place_picture(

@@ -8,7 +8,7 @@ from typing import Any
 from core.doctor import FINDINGS, REPAIRS, FindingSpec, RepairSpec, repair_for
 from core.fields import FIELDS, FieldSpec
 from core.metrics import METRICS, MetricSpec
-from core.parameters import Parameter, Params, describe
+from core.parameters import Parameter, Params, describe, value_text
 from core.smoothing import METHODS, MethodSpec
 from core.statistics import (
     GeodesicParams,
@@ -121,7 +121,5 @@ def _flat(text: str) -> str:
 
 
 def _parameter(parameter: Parameter) -> str:
-    known = {None: "auto", True: "true", False: "false"}
-    default = parameter.default
-    shown = known[default] if default is None or isinstance(default, bool) else default
-    return f"- `{parameter.name}` ({parameter.domain}; default {shown}): {parameter.help}"
+    default = value_text(parameter.default)
+    return f"- `{parameter.name}` ({parameter.domain}; default {default}): {parameter.help}"

@@ -4,7 +4,7 @@ from typing import Any
 
 from app.export.tables import as_text, study_rows
 from core.comparison import MethodResult, StudyResult
-from core.parameters import describe
+from core.parameters import describe, value_text
 from core.smoothing import METHODS
 
 
@@ -77,7 +77,7 @@ def _method_text(method: str) -> str:
     spec = METHODS[method]
     lines = [f"{spec.id}: {spec.summary}"]
     for parameter in describe(spec.params):
-        default = "auto" if parameter.default is None else parameter.default
+        default = value_text(parameter.default)
         lines.append(f"    {parameter.name} = {default}  ({parameter.domain})")
         lines.append(f"        {parameter.help}")
     return "\n".join(lines)

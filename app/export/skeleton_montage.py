@@ -1,14 +1,14 @@
 """Skeletal graphs in a figure, as in figures 5.4 and 5.7–5.15 of the thesis."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from app.export.montage import SCREEN_DPI
 from app.export.montage_plan import Entry
-from app.export.pictures import Picture, unmix
-from app.export.skeleton_pictures import skeleton_shot, studio
+from app.export.pictures import Picture, shot, unmix
+from app.export.skeleton_pictures import studio
 from app.scene.camera import CameraPose
 from app.scene.colours import Theme
 from app.scene.panes import Look
@@ -78,14 +78,12 @@ class SkeletonSource:
     def pictures(
         self, look: Look, chosen: Sequence[str], size: tuple[int, int], dpi: float,
         *, transparent: bool,
-    ) -> list[Picture]:  # fmt: skip
+    ) -> Iterator[Picture]:  # fmt: skip
         """Draw some of the entries, each into a picture of `size` pixels."""
         panes = {pane.entry.id: pane for pane in self.panes}
         with studio(size) as grid:
-            return [
-                self._picture(grid, panes[id_], look, size, dpi, transparent=transparent)
-                for id_ in chosen
-            ]
+            for id_ in chosen:
+                yield self._picture(grid, panes[id_], look, size, dpi, transparent=transparent)
 
     def _picture(
         self, grid: SkeletonGrid, shown: FigurePane, look: Look, size: tuple[int, int], dpi: float,
@@ -98,8 +96,8 @@ class SkeletonSource:
         grid.set_pose(self.pose)
         self._widen(grid, size[0] / size[1])
         if not transparent:
-            return skeleton_shot(grid, look.theme.ground, None)
-        return unmix(skeleton_shot(grid, "black", None), skeleton_shot(grid, "white", None))
+            return shot(grid, look.theme.ground, None)
+        return unmix(shot(grid, "black", None), shot(grid, "white", None))
 
     def _widen(self, grid: SkeletonGrid, aspect: float) -> None:
         """Show as much as the window does, also where the picture is narrower than the view."""

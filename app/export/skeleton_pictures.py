@@ -6,8 +6,14 @@ from dataclasses import replace
 
 import pyvista as pv
 
-from app.export.pictures import Picture, prefer_headless_graphics, unmix
-from app.scene.camera import CameraPose
+from app.export.pictures import (
+    Picture,
+    composed,
+    prefer_headless_graphics,
+    scene_pieces,
+    shot,
+)
+from app.scene.camera import OBLIQUE, CameraPose
 from app.scene.skeleton_grid import SHAPE, SkeletonGrid
 from app.scene.skeleton_panes import SkeletonLook, SkeletonPane
 
@@ -43,13 +49,24 @@ def skeleton_picture(
     (height, width, 3 or 4) uint8 ndarray
         RGB, or RGBA with straight alpha where `transparent`.
     """
+    return composed(skeleton_pieces(panes, look, pose, size, transparent=transparent, share=share))
+
+
+def skeleton_pieces(
+    panes: Sequence[SkeletonPane],
+    look: SkeletonLook,
+    pose: CameraPose | None,
+    size: tuple[int, int],
+    *,
+    transparent: bool = False,
+    share: float | None = None,
+) -> Iterator[Picture | None]:
+    """Draw what :func:`skeleton_picture` composes, one pane a step."""
     with studio(size) as grid:
         grid.part(share)
         grid.show(panes, look, size)
         _aim(grid, pose, size)
-        if not transparent:
-            return skeleton_shot(grid, look.theme.ground, look.theme.ground_top)
-        return unmix(skeleton_shot(grid, "black", None), skeleton_shot(grid, "white", None))
+        yield from scene_pieces(grid, look.theme, transparent=transparent)
 
 
 def turn_frames(
@@ -65,7 +82,7 @@ def turn_frames(
         grid.show(panes, look, size)
         _aim(grid, pose, size)
         for _ in range(count):
-            yield skeleton_shot(grid, look.theme.ground, look.theme.ground_top)
+            yield shot(grid, look.theme.ground, look.theme.ground_top)
             grid.camera.Azimuth(360 / count)
 
 
@@ -84,7 +101,7 @@ def growth_frames(
             grid.show(grown, look, size)
             if step == 0:
                 _aim(grid, pose, size)
-            yield skeleton_shot(grid, look.theme.ground, look.theme.ground_top)
+            yield shot(grid, look.theme.ground, look.theme.ground_top)
 
 
 @contextmanager
@@ -100,15 +117,6 @@ def studio(size: tuple[int, int]) -> Iterator[SkeletonGrid]:
 
 def _aim(grid: SkeletonGrid, pose: CameraPose | None, size: tuple[int, int]) -> None:
     if pose is None:
-        grid.look_from("Oblique", size)
+        grid.look_from(OBLIQUE, size)
     else:
         grid.set_pose(pose)
-
-
-def skeleton_shot(grid: SkeletonGrid, bottom: str, top: str | None) -> Picture:
-    """Picture a grid on a ground."""
-    grid.set_ground(bottom, top)
-    grid.fit_clipping()
-    grid.plotter.render()
-    picture: Picture = grid.plotter.screenshot(return_img=True)
-    return picture[..., :3]

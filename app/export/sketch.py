@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.export.pictures import Picture
-from app.scene.camera import PRESETS
+from app.scene.camera import OBLIQUE, preset_directions
 from app.scene.colours import LIGHT
 from core.arrays import FloatArray
 from core.mesh import TriangleMesh
@@ -70,7 +70,7 @@ def _seen_points(mesh: TriangleMesh, count: int) -> tuple[FloatArray, FloatArray
     face = np.minimum(np.searchsorted(bounds, places), len(bounds) - 1)
     root, other = np.sqrt(random.random(count)), random.random(count)
     shares = np.stack([1 - root, root * (1 - other), root * other], axis=1)[:, :, None]
-    axes = _axes()
+    axes = _axes(mesh)
     normals = shading_normals(mesh.vertices, mesh.faces)
     points = (shares * corners[face]).sum(axis=1) @ axes.T
     normal = (shares * normals[mesh.faces[face]]).sum(axis=1)
@@ -78,9 +78,10 @@ def _seen_points(mesh: TriangleMesh, count: int) -> tuple[FloatArray, FloatArray
     return points, _AMBIENT + (1 - _AMBIENT) * facing
 
 
-def _axes() -> FloatArray:
+def _axes(mesh: TriangleMesh) -> FloatArray:
     """Directions to the right, up, and towards the eye, as rows."""
-    towards, up = (np.array(each, np.float64) for each in PRESETS["Oblique"])
+    directions = preset_directions(OBLIQUE, mesh.vertices)
+    towards, up = (np.array(each, np.float64) for each in directions)
     towards /= np.linalg.norm(towards)
     right = np.cross(up, towards)
     right /= np.linalg.norm(right)

@@ -1,15 +1,19 @@
 """Pictures of sparse matrices that stay readable however many rows there are."""
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import LinearSegmentedColormap, LogNorm
 from matplotlib.figure import FigureBase
-from scipy.sparse import csr_array
 
 from app.export.statistics_axes import main_axes
 from app.scene.colours import Theme
 from core.arrays import FloatArray
 from core.statistics import AxisLabels
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
 CELLS = 320
 """Most rows and columns of squares in the picture."""
@@ -23,7 +27,7 @@ MATRIX_TITLES = {
 }
 
 
-def matrix_density(matrix: csr_array, cells: int = CELLS) -> FloatArray:
+def matrix_density(matrix: "csr_array", cells: int = CELLS) -> FloatArray:
     """Share of entries that are not zero in each square of a coarse grid, (c, c), c ≤ `cells`."""
     m = matrix.shape[0]
     count = min(m, cells)
@@ -35,7 +39,7 @@ def matrix_density(matrix: csr_array, cells: int = CELLS) -> FloatArray:
     return density
 
 
-def draw_matrix(figure: FigureBase, matrix: csr_array, theme: Theme) -> Axes:
+def draw_matrix(figure: FigureBase, matrix: "csr_array", theme: Theme) -> Axes:
     """Draw where a matrix has entries; a square stands for many rows where the matrix is large."""
     labels = AxisLabels("vertex j", "vertex i")
     axes = main_axes(figure, labels, theme)
@@ -57,7 +61,7 @@ def draw_matrix(figure: FigureBase, matrix: csr_array, theme: Theme) -> Axes:
     return axes
 
 
-def matrix_words(matrix: csr_array) -> str:
+def matrix_words(matrix: "csr_array") -> str:
     """Say how large and how full a matrix is."""
     m, entries = matrix.shape[0], matrix.nnz
     side = -(-m // CELLS)

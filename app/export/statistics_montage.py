@@ -1,17 +1,18 @@
 """Models and plots of the statistics in a figure, as in figures 3.2–3.7 of the thesis."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from app.export.montage import SCREEN_DPI
+from app.export.montage import SCREEN_DPI, Drawn
 from app.export.montage_plan import Entry
-from app.export.pictures import Picture, unmix
-from app.export.statistics_pictures import models_shot, models_studio
+from app.export.pictures import Picture, shot, unmix
+from app.export.statistics_pictures import models_studio
 from app.export.statistics_plots import PLOTS
 from app.export.statistics_series import Series
 from app.scene.camera import CameraPose
@@ -48,17 +49,16 @@ class StatisticsSource:
     def pictures(
         self, look: Look, chosen: Sequence[str], size: tuple[int, int], dpi: float,
         *, transparent: bool,
-    ) -> list[Picture]:  # fmt: skip
-        """Draw some of the entries, each into a picture of `size` pixels."""
+    ) -> Iterator[Drawn]:  # fmt: skip
+        """Draw some of the entries, each into a picture of `size` pixels; plots can wait."""
         models = {shown.pane.id: shown for shown in self.models}
         look = replace(look, text_scale=dpi / SCREEN_DPI)
         with models_studio(size) as scene:
-            return [
-                self._model(scene, models[id_], look, size, transparent=transparent)
-                if id_ in models
-                else self._plot(id_, look, size, dpi, transparent=transparent)
-                for id_ in chosen
-            ]
+            for id_ in chosen:
+                if id_ in models:
+                    yield self._model(scene, models[id_], look, size, transparent=transparent)
+                else:
+                    yield partial(self._plot, id_, look, size, dpi, transparent=transparent)
 
     def _model(
         self, scene: StatisticsScene, shown: ModelPane, look: Look, size: tuple[int, int],
@@ -68,8 +68,8 @@ class StatisticsSource:
         scene.show([bare], look, size)
         scene.set_pose(self.pose)
         if not transparent:
-            return models_shot(scene, look.theme.ground, None)
-        return unmix(models_shot(scene, "black", None), models_shot(scene, "white", None))
+            return shot(scene, look.theme.ground, None)
+        return unmix(shot(scene, "black", None), shot(scene, "white", None))
 
     def _plot(
         self, plot: str, look: Look, size: tuple[int, int], dpi: float, *, transparent: bool

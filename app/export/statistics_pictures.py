@@ -6,13 +6,13 @@ from dataclasses import replace
 
 import pyvista as pv
 
-from app.export.pictures import Picture, prefer_headless_graphics, unmix
+from app.export.pictures import Picture, prefer_headless_graphics, scene_pieces
 from app.scene.camera import CameraPose
 from app.scene.panes import Look
 from app.scene.statistics_scene import SCENE_SHAPE, ModelPane, StatisticsScene
 
 
-def models_picture(
+def models_pieces(
     panes: Sequence[ModelPane],
     look: Look,
     pose: CameraPose,
@@ -21,8 +21,8 @@ def models_picture(
     scale: float = 1.0,
     transparent: bool = False,
     share: float | None = None,
-) -> Picture:
-    """Draw one model or two into a picture.
+) -> Iterator[Picture | None]:
+    """Draw one model or two into a picture, one a step; :func:`composed` puts it together.
 
     Parameters
     ----------
@@ -40,20 +40,13 @@ def models_picture(
         Leave out the background; the picture composes correctly over any other.
     share : float or None
         Parts two models, shown as one, at this share of the width.
-
-    Returns
-    -------
-    (height, width, 3 or 4) uint8 ndarray
-        RGB, or RGBA with straight alpha where `transparent`.
     """
     look = replace(look, text_scale=look.text_scale * scale)
     with models_studio(size) as scene:
         scene.part(share)
         scene.show(panes, look, size)
         scene.set_pose(pose)
-        if not transparent:
-            return models_shot(scene, look.theme.ground, look.theme.ground_top)
-        return unmix(models_shot(scene, "black", None), models_shot(scene, "white", None))
+        yield from scene_pieces(scene, look.theme, transparent=transparent)
 
 
 @contextmanager
@@ -65,12 +58,3 @@ def models_studio(size: tuple[int, int]) -> Iterator[StatisticsScene]:
         yield StatisticsScene(plotter)
     finally:
         plotter.close()
-
-
-def models_shot(scene: StatisticsScene, bottom: str, top: str | None) -> Picture:
-    """Picture a scene on a ground."""
-    scene.set_ground(bottom, top)
-    scene.fit_clipping()
-    scene.plotter.render()
-    picture: Picture = scene.plotter.screenshot(return_img=True)
-    return picture[..., :3]

@@ -1,13 +1,13 @@
 """The Denoise tab as the commands see it."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import ClassVar
 
 from PySide6.QtCore import QPointF
 
 from app.export.montage import Source
-from app.export.pictures import Picture, grid_picture, scaled
+from app.export.pictures import Picture, grid_pieces, scaled
 from app.scene.comparing import pair
 from app.scene.layout import Viewport
 from app.scene.swipe import Swipe
@@ -81,7 +81,7 @@ class DenoiseDesk(Desk):
             "pane": PictureSubject(f"Pane: {title}", (round(width), round(height))),
         }
 
-    def picture(self, request: Request, size: tuple[int, int]) -> Picture:
+    def picture(self, request: Request, size: tuple[int, int]) -> Iterator[Picture | None]:
         panes, look = self.tab.panes()
         grid = self.stage.grid
         poses, chosen = grid.poses(), grid.enlarged
@@ -92,7 +92,7 @@ class DenoiseDesk(Desk):
             panes = [pane for pane in panes if pane.id == chosen]
         pixels = (size[0] * request.scale, size[1] * request.scale)
         look = scaled(look, request.scale)
-        return grid_picture(panes, look, poses, pixels, transparent=request.transparent)
+        return grid_pieces(panes, look, poses, pixels, transparent=request.transparent)
 
     def _pictured_pane(self) -> str:
         return self.stage.grid.enlarged or self.tab.selected or "noisy"

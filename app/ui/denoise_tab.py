@@ -8,6 +8,7 @@ from PySide6.QtCore import QByteArray, QSettings, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QWidget
 
+from app.scene.camera import OBLIQUE
 from app.scene.colours import Theme
 from app.scene.comparing import pair, swapped
 from app.scene.comparison import ComparisonScene
@@ -210,7 +211,7 @@ class DenoiseTab(QMainWindow):
         self.viewport.set_linked(self.session.study.view.linked, self.selected)
         if self._fresh_model:
             self._fresh_model = False
-            self.viewport.look_from("Oblique")
+            self.viewport.look_from(OBLIQUE)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

@@ -1,6 +1,6 @@
 """What the commands ask of the tab that is shown: one desk a tab, the same questions to each."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any, ClassVar, NamedTuple
 
 from PySide6.QtCore import QObject, QPointF, Signal
@@ -112,6 +112,6 @@ class Desk(QObject):
         """Return what a screenshot can show, by id."""
         raise NotImplementedError
 
-    def picture(self, request: Request, size: tuple[int, int]) -> Picture:
-        """Draw what a screenshot asks for, anew and at a multiple of `size`."""
+    def picture(self, request: Request, size: tuple[int, int]) -> Iterator[Picture | None]:
+        """Return the pieces of what a screenshot shows now, to be drawn at a multiple of `size`."""
         raise NotImplementedError

@@ -1,6 +1,8 @@
 """The plot of the error against the iteration."""
 
-import os
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
 
 from matplotlib.figure import Figure
 from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
@@ -63,18 +65,13 @@ class ErrorPlot(QWidget):
         self._theme = theme
         self._redraw_soon.request()
 
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Save the plot as PNG, SVG or PDF, dark on white as papers want it.
-
-        Raises
-        ------
-        SaveError
-            If the suffix is another.
-        """
+    def writer(self) -> Callable[[Path], None]:
+        """Return what saves the plot of now as PNG, SVG or PDF, dark on white as papers want it."""
         c = self._chart(LIGHT)
-        save_error_plot(
-            path, c.curves, c.noisy_value, c.metric, c.theme, log=c.log, selected=c.selected
-        )
+        return partial(
+            save_error_plot, curves=c.curves, noisy_value=c.noisy_value, metric=c.metric,
+            theme=c.theme, log=c.log, selected=c.selected,
+        )  # fmt: skip
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -163,5 +160,5 @@ class ErrorPlot(QWidget):
         return max((count for count, run in runs if not (run and run.diverged)), default=1)
 
     def _redraw(self) -> None:
-        if self.isVisible():
+        if self.isVisible() and self._session.meshes:
             self.canvas.show_chart(self._chart(self._theme))

@@ -1,5 +1,6 @@
 """The dialog of a figure: which panes, in which order, with which captions, how large."""
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -17,11 +18,11 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
 )
 
-from app.export.montage import montage_figure, save_montage
+from app.export.montage import montage_pictures, write_montage
 from app.export.montage_plan import Montage
-from app.export.pictures import PictureError
 from app.ui.controls import FaintLabel
-from app.ui.dialogs import ask_where_to_save, tell
+from app.ui.dialogs import ask_where_to_save
+from app.ui.exporting import Drawer, export
 from app.ui.montage_cells import CellList
 from app.ui.montage_preview import MontagePreview
 
@@ -89,13 +90,14 @@ class MontageDialog(QDialog):
         )
 
     def save(self, path: Path) -> None:
-        """Write the figure."""
-        try:
-            save_montage(montage_figure(self.montage(), self.source), path)
-        except PictureError as error:
-            tell(self, str(error))
-            return
-        self._window.session.notified.emit(f"Saved {path.name}.")
+        """Write the figure beside the window, which the dialog sets free."""
+        montage, source = self.montage(), self.source
+
+        def begin(path: Path, drawer: Drawer) -> Iterator[float]:
+            pictures = drawer(iter(montage_pictures(montage, source)))
+            yield from write_montage(montage, source, path, pictures)
+
+        export(self._window.session, path, begin)
         self.accept()
 
     def done(self, result: int) -> None:

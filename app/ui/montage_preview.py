@@ -7,7 +7,13 @@ from PySide6.QtCore import QRect, QSize, Qt, Signal
 from PySide6.QtGui import QBrush, QColor, QImage, QPainter, QPaintEvent, QPalette, QResizeEvent
 from PySide6.QtWidgets import QWidget
 
-from app.export.montage import PictureSource, montage_figure, montage_pixels
+from app.export.montage import (
+    PictureSource,
+    finished,
+    montage_figure,
+    montage_pictures,
+    montage_pixels,
+)
 from app.export.montage_plan import INCH, Montage, montage_layout
 from app.export.pictures import Picture, PictureError
 from app.scene.panes import Look
@@ -75,8 +81,9 @@ class MontagePreview(QWidget):
     def _draw(self) -> None:
         montage = self._montage
         try:
-            dpi = self._fitting_dpi(montage)
-            figure = montage_figure(replace(montage, dpi=dpi), self._source, self._kept_pictures)
+            fitting = replace(montage, dpi=self._fitting_dpi(montage))
+            pictures = montage_pictures(fitting, self._source, self._kept_pictures)
+            figure = montage_figure(fitting, self._source, pictures)
         except PictureError as error:
             self._image = None
             self.told.emit(str(error), False)
@@ -103,7 +110,9 @@ class MontagePreview(QWidget):
         if missing:
             drawn = self._source.pictures(look, missing, size, dpi, transparent=transparent)
             self._pictures = {key: p for key, p in self._pictures.items() if key[1] == ground}
-            self._pictures |= {(pane, ground): p for pane, p in zip(missing, drawn, strict=True)}
+            self._pictures |= {
+                (pane, ground): finished(p) for pane, p in zip(missing, drawn, strict=True)
+            }
         return [self._pictures[pane, ground] for pane in chosen]
 
     def _tell_size(self, montage: Montage, inches: tuple[float, float]) -> None:

@@ -4,15 +4,15 @@ from typing import Any
 
 from matplotlib.artist import Artist
 from matplotlib.backend_bases import DrawEvent, MouseEvent
-from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
 from matplotlib.figure import Figure
 from PySide6.QtCore import Qt, Signal
 
 from app.export.chart import ErrorChart, draw_curves, method_of
 from app.export.frame import Frame, draw_frame
+from app.ui.figure_canvas import FigureCanvas
 
 
-class PlotCanvas(FigureCanvasQTAgg):
+class PlotCanvas(FigureCanvas):
     """Shows an error chart; `pressed` carries the method of the line or label under the pointer."""
 
     pressed = Signal(str)
@@ -29,6 +29,12 @@ class PlotCanvas(FigureCanvasQTAgg):
 
     def show_chart(self, chart: ErrorChart) -> None:
         """Draw a chart: all of it, or where the frame is as before only the curves."""
+        if self.words:  # what was half drawn is no ground to draw on
+            self._frame = None
+        with self.making():
+            self._show_chart(chart)
+
+    def _show_chart(self, chart: ErrorChart) -> None:
         frame = chart.frame
         redraws_all = frame != self._frame or self._background is None
         if redraws_all:

@@ -1,13 +1,13 @@
 """The Skeleton tab as the commands see it."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import ClassVar
 
 from PySide6.QtCore import QPointF
 
 from app.export.pictures import Picture
 from app.export.skeleton_montage import SkeletonSource, figure_panes
-from app.export.skeleton_pictures import skeleton_picture
+from app.export.skeleton_pictures import skeleton_pieces
 from app.scene.layout import Viewport
 from app.scene.skeleton_probe import SurfaceProbe, node_line, sight_line, surface_text
 from app.ui.desk import IS_ON, STATISTICS_ONLY, Desk, NamedMesh, PictureSubject
@@ -29,6 +29,7 @@ class SkeletonDesk(Desk):
         "difference": IS_ON["Denoise"],
         "colour_bar": IS_ON["Denoise"],
         "colour": "The field colours the surfaces of this tab.",
+        "compare": "The views of this tab are compared with each other.",
         "save_plot": "This is on the Denoise and the Statistics tab.",
         "save_table": "This is on the Denoise and the Statistics tab.",
         "copy_table": IS_ON["Denoise"],
@@ -104,12 +105,12 @@ class SkeletonDesk(Desk):
             "pane": PictureSubject("The selected view", (width // 2, height)),
         }
 
-    def picture(self, request: Request, size: tuple[int, int]) -> Picture:
+    def picture(self, request: Request, size: tuple[int, int]) -> Iterator[Picture | None]:
         panes, look = self.tab.panes(request.scale * self.tab.devicePixelRatioF())
         if request.subject == "pane" and len(panes) > 1:
             panes = [panes[self.tab.views.shown.index(self.tab.selected)]]
         pixels = (size[0] * request.scale, size[1] * request.scale)
-        return skeleton_picture(
+        return skeleton_pieces(
             panes, self.tab.without_frame(look), self.stage.pose, pixels,
             transparent=request.transparent,
             share=self.stage.grid.share if len(panes) > 1 else None,

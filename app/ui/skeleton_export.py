@@ -1,18 +1,17 @@
 """What the Skeleton tab writes beside pictures: graphs and films."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QTimer
-
-from app.export.pictures import PictureError
 from app.export.skeleton_films import write_film
 from app.export.skeleton_pictures import growth_frames, turn_frames
-from app.session import Task
-from app.ui.dialogs import ask_where_to_save, tell
+from app.session import Job
+from app.ui.dialogs import ask_where_to_save
+from app.ui.exporting import Drawer, ask_to_export, at_once, export
 from app.ui.skeleton_film_dialog import FilmDialog, FilmRequest
-from core.skeleton import FORMATS, GraphError, write_graph
+from core.skeleton import FORMATS, write_graph
 
 if TYPE_CHECKING:
     from app.ui.skeleton_tab import SkeletonTab
@@ -25,8 +24,8 @@ def ask_for_graph(tab: "SkeletonTab") -> None:
     skeleton = tab.views.skeleton(tab.selected)
     if skeleton is not None:
         name = f"{_stem(tab)}_{skeleton.view.field}_{skeleton.view.resolution}.graphml"
-        _ask(tab, "Save the graph", name, _GRAPH_FILTERS,
-             lambda path: write_graph(skeleton.graph, path))  # fmt: skip
+        write = at_once(partial(write_graph, skeleton.graph))
+        ask_to_export(tab, tab.session, "Save the graph", name, _GRAPH_FILTERS, write)
 
 
 def ask_for_film(tab: "SkeletonTab") -> None:
@@ -36,14 +35,16 @@ def ask_for_film(tab: "SkeletonTab") -> None:
     def wanted(request: FilmRequest) -> None:
         name = f"{_stem(tab)}_{request.subject}{request.suffix}"
         filters = f"{request.suffix[1:].upper()} (*{request.suffix})"
-        _ask(tab, "Save the animation", name, filters, lambda path: film(tab, request, path))
+        ask_where_to_save(
+            tab, "Save the animation", name, filters, lambda path: film(tab, request, path)
+        )
 
     dialog.wanted.connect(wanted)
     dialog.open()
 
 
-def film(tab: "SkeletonTab", request: FilmRequest, path: Path) -> "FilmWriting":
-    """Film the views, one frame whenever the window has nothing else to do."""
+def film(tab: "SkeletonTab", request: FilmRequest, path: Path) -> Job:
+    """Film the views: the window draws a frame at a time, the worker puts it into the file."""
     panes, look = tab.panes(tab.devicePixelRatioF())
     look, pose, size = tab.without_frame(look), tab.viewport.grid.pose, tab.viewport.pixel_size()
     if request.subject == "turn":
@@ -51,64 +52,12 @@ def film(tab: "SkeletonTab", request: FilmRequest, path: Path) -> "FilmWriting":
     else:
         frames = growth_frames(panes, look, pose, size)
         count = 1 + max(pane.skeleton.view.resolution for pane in panes if pane.skeleton)
-    return FilmWriting(tab, path, write_film(path, frames, request.per_second), count)
 
+    def begin(path: Path, drawer: Drawer) -> Iterator[float]:
+        written = write_film(path, drawer(frames), request.per_second)
+        return (number / count for number in written)
 
-class FilmWriting(QObject):
-    """Advances a film among the other tasks; one that is cancelled leaves no file."""
-
-    def __init__(self, tab: "SkeletonTab", path: Path, steps: Iterator[int], count: int) -> None:
-        super().__init__(tab)
-        self._tab, self._path, self._steps = tab, path, steps
-        self._written = 0
-        self._task = Task(
-            title=f"Writing {path.name}",
-            share=lambda: self._written / count,
-            on_cancel=self._give_up,
-        )
-        tab.session.tasks.begin(self._task)
-        self._timer = QTimer(self, interval=0)
-        self._timer.timeout.connect(self._advance)
-        self._timer.start()
-
-    def _advance(self) -> None:
-        try:
-            written = next(self._steps, None)
-        except (PictureError, OSError) as error:
-            self._end()
-            tell(self._tab, str(error))
-            return
-        if written is not None:
-            self._written = written
-            return
-        self._end()
-        self._tab.session.notified.emit(f"Saved {self._path.name}.")
-        self._tab.film_written.emit()
-
-    def _give_up(self) -> None:
-        self._end()
-        self._path.unlink(missing_ok=True)
-
-    def _end(self) -> None:
-        self._timer.stop()
-        self._steps.close()
-        self._tab.session.tasks.end(self._task)
-        self.deleteLater()
-
-
-def _ask(
-    tab: "SkeletonTab", title: str, name: str, filters: str, save: Callable[[Path], object]
-) -> None:
-    def checked(path: Path) -> None:
-        try:
-            outcome = save(path)
-        except (GraphError, PictureError, OSError) as error:
-            tell(tab, str(error))
-        else:
-            if not isinstance(outcome, FilmWriting):
-                tab.session.notified.emit(f"Saved {path.name}.")
-
-    ask_where_to_save(tab, title, name, filters, checked)
+    return export(tab.session, path, begin)
 
 
 def _stem(tab: "SkeletonTab") -> str:

@@ -1,13 +1,13 @@
 """The Statistics tab as the commands see it."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import ClassVar
 
 from PySide6.QtCore import QPointF
 
 from app.export.pictures import Picture
 from app.export.statistics_montage import StatisticsSource
-from app.export.statistics_pictures import models_picture
+from app.export.statistics_pictures import models_pieces
 from app.export.statistics_words import vertex_words
 from app.scene.layout import Viewport
 from app.ui.desk import IS_ON, STATISTICS_ONLY, Desk, NamedMesh, PictureSubject
@@ -26,6 +26,7 @@ class StatisticsDesk(Desk):
         "difference": IS_ON["Denoise"],
         "colour_bar": IS_ON["Denoise"],
         "colour": "“Colour the model by” in the panel of this tab has its own choices.",
+        "compare": IS_ON["Denoise"],
         "copy_table": "Each plot of this tab has a button that copies its numbers.",
         "save_graph": IS_ON["Skeleton"],
         "save_film": IS_ON["Skeleton"],
@@ -94,10 +95,10 @@ class StatisticsDesk(Desk):
         name = "Both models" if len(self.stage.panes) > 1 else "The model"
         return {"grid": PictureSubject(name, self.stage.interactor.pixel_size())}
 
-    def picture(self, request: Request, size: tuple[int, int]) -> Picture:
+    def picture(self, request: Request, size: tuple[int, int]) -> Iterator[Picture | None]:
         pixels = (size[0] * request.scale, size[1] * request.scale)
         scene = self.stage.scene
-        return models_picture(
-            self.stage.shown, self.stage.look, scene.pose, pixels, scale=request.scale,
+        return models_pieces(
+            tuple(self.stage.shown), self.stage.look, scene.pose, pixels, scale=request.scale,
             transparent=request.transparent, share=scene.share,
         )  # fmt: skip

@@ -1,5 +1,7 @@
 """The cell that draws a matrix of the mesh beside the model, thesis figures 1.12–1.13."""
 
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from matplotlib.figure import Figure
@@ -39,20 +41,25 @@ class MatrixCell(Cell):
             self._mesh, self._theme = mesh, theme
             self._draw()
 
-    def save_to(self, path: Path) -> None:
-        """Write the matrix or its picture, as the suffix says."""
-        matrix = MATRICES[self.choice.currentData()](self._mesh)
-        if path.suffix.lower() in MATRIX_SUFFIXES:
-            save_matrix(matrix, path)
-            return
-        figure = Figure(figsize=(6, 6), layout="constrained")
-        draw_matrix(figure, matrix, LIGHT)
-        save_figure(path, figure)
+    def writer(self) -> Callable[[Path], None]:
+        """Return what writes the matrix of now or its picture, as the suffix says."""
+        return partial(_write, self.choice.currentData(), self._mesh)
 
     def _draw(self) -> None:
         if self._mesh is None:
             return
         matrix = MATRICES[self.choice.currentData()](self._mesh)
-        draw_matrix(self.canvas.figure, matrix, self._theme)
+        with self.canvas.making():
+            draw_matrix(self.canvas.figure, matrix, self._theme)
         self._say(matrix_words(matrix))
         self.canvas.draw_idle()
+
+
+def _write(name: str, mesh: TriangleMesh, path: Path) -> None:
+    matrix = MATRICES[name](mesh)
+    if path.suffix.lower() in MATRIX_SUFFIXES:
+        save_matrix(matrix, path)
+        return
+    figure = Figure(figsize=(6, 6), layout="constrained")
+    draw_matrix(figure, matrix, LIGHT)
+    save_figure(path, figure)

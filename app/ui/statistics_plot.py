@@ -5,7 +5,6 @@ from typing import Any
 
 from matplotlib.artist import Artist
 from matplotlib.backend_bases import DrawEvent, MouseEvent
-from matplotlib.backends.backend_qtagg import FigureCanvasQTAgg
 from matplotlib.figure import Figure
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
@@ -16,6 +15,7 @@ from app.export.statistics_series import Series
 from app.export.statistics_words import plot_words
 from app.scene.colours import LIGHT, Theme
 from app.ui.controls import Coalesced, FaintLabel, IconButton
+from app.ui.figure_canvas import FigureCanvas
 from app.ui.help import HelpButton
 
 _REDRAW_MS = 60
@@ -32,7 +32,7 @@ class Cell(QWidget):
     def __init__(self, id_: str, title: str) -> None:
         super().__init__()
         self.id = id_
-        self.canvas = FigureCanvasQTAgg(Figure(layout="constrained"))
+        self.canvas = FigureCanvas(Figure(layout="constrained"))
         self.canvas.setMinimumSize(120, 90)
         self.canvas.installEventFilter(self)
         self.words = FaintLabel()
@@ -135,7 +135,8 @@ class StatisticsPlot(Cell):
 
     def _redraw(self) -> None:
         self._mark = None
-        self._axes = self.spec.draw(self.canvas.figure, self.series, self._theme)
+        with self.canvas.making():
+            self._axes = self.spec.draw(self.canvas.figure, self.series, self._theme)
         self.canvas.draw_idle()
 
     def _on_draw(self, _: DrawEvent) -> None:

@@ -1,20 +1,21 @@
 """What the Statistics tab writes to files and to the clipboard."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtGui import QGuiApplication
 
-from app.export.pictures import PictureError
-from app.export.statistics_bundle import write_statistics
+from app.export.statistics_bundle import model_pieces, write_bundle
 from app.export.statistics_plots import PLOTS, save_statistics_plot
+from app.export.statistics_series import Series
 from app.export.statistics_tables import plot_tables
 from app.session.jobs import progress_job
-from app.ui.dialogs import ask_for_folder, ask_where_to_save, tell
+from app.ui.dialogs import ask_for_folder
+from app.ui.exporting import Drawer, ask_to_export, at_once, export
 from app.ui.statistics_matrix import SAVE_FILTERS
 from app.ui.statistics_work import Model
-from core.io import SaveError
 from core.statistics import MeshStatistics, statistics_steps
 from core.whole_files import write_atomically
 
@@ -24,12 +25,11 @@ if TYPE_CHECKING:
 _PLOT_FILTERS = "SVG (*.svg);;PDF (*.pdf);;PNG (*.png)"
 
 
-def save_cell(tab: "StatisticsTab", cell: str, path: Path) -> None:
-    """Save a plot, dark on white as papers want it, or the matrix."""
+def cell_writer(tab: "StatisticsTab", cell: str) -> Callable[[Path], None]:
+    """Return what saves a plot of now, dark on white as papers want it, or the matrix."""
     if cell == "matrix":
-        tab.matrix.save_to(path)
-    else:
-        save_statistics_plot(path, PLOTS[cell], tab.work.series())
+        return tab.matrix.writer()
+    return partial(save_statistics_plot, plot=PLOTS[cell], series=tab.work.series())
 
 
 def copy_numbers(tab: "StatisticsTab", plot: str) -> None:
@@ -39,9 +39,8 @@ def copy_numbers(tab: "StatisticsTab", plot: str) -> None:
     tab.session.notified.emit(f"Copied the numbers of: {PLOTS[plot].title}.")
 
 
-def save_tables(tab: "StatisticsTab", path: Path) -> None:
+def save_tables(path: Path, series: Sequence[Series]) -> None:
     """Save the numbers of all plots, each table under its own name, into one CSV file."""
-    series = tab.work.series()
     tables = [table for plot in PLOTS for table in plot_tables(plot, series)]
     text = "\n".join(f"# {table.name}\n{table.text()}" for table in tables)
     write_atomically(path, text.encode())
@@ -50,7 +49,8 @@ def save_tables(tab: "StatisticsTab", path: Path) -> None:
 def ask_for_tables(tab: "StatisticsTab") -> None:
     """Ask where to save the numbers of all plots."""
     name = f"{tab.work.models[0].name}_statistics.csv"
-    _ask(tab, "Save the tables", name, "CSV (*.csv)", lambda path: save_tables(tab, path))
+    write = partial(save_tables, series=tab.work.series())
+    _ask(tab, "Save the tables", name, "CSV (*.csv)", write)
 
 
 def ask_for_bundle(tab: "StatisticsTab") -> None:
@@ -61,15 +61,13 @@ def ask_for_bundle(tab: "StatisticsTab") -> None:
 
 
 def bundle(tab: "StatisticsTab", model: Model, folder: Path) -> None:
-    """Compute what is missing beside the window, then write everything, as `burnish stats -o`."""
+    """Compute and write everything beside the window, as `burnish stats -o` does."""
 
     def write(statistics: MeshStatistics) -> None:
-        try:
-            write_statistics(model.name, model.mesh, statistics, folder)
-        except (SaveError, PictureError) as error:
-            tell(tab, str(error))
-        else:
-            tab.session.notified.emit(f"Saved the statistics into {folder.name}.")
+        def begin(folder: Path, drawer: Drawer) -> Iterator[float]:
+            return write_bundle(model.name, statistics, folder, drawer(model_pieces(model.mesh)))
+
+        export(tab.session, folder, begin, f"Saved the statistics into {folder.name}.")
 
     steps = statistics_steps(model.mesh, tab.work.geodesic)
     title = f"Statistics of {model.name}"
@@ -85,18 +83,10 @@ def ask_for_cell(tab: "StatisticsTab", cell: str) -> None:
         tab.matrix.show_mesh(tab.work.models[0].mesh, tab.theme)
     name = f"{tab.work.models[0].name}_{cell}.{'png' if matrix else 'svg'}"
     filters = SAVE_FILTERS if matrix else _PLOT_FILTERS
-    _ask(tab, "Save the plot", name, filters, lambda path: save_cell(tab, cell, path))
+    _ask(tab, "Save the plot", name, filters, cell_writer(tab, cell))
 
 
 def _ask(
-    tab: "StatisticsTab", title: str, name: str, filters: str, save: Callable[[Path], None]
+    tab: "StatisticsTab", title: str, name: str, filters: str, write: Callable[[Path], None]
 ) -> None:
-    def checked(path: Path) -> None:
-        try:
-            save(path)
-        except (ValueError, OSError) as error:
-            tell(tab, str(error))
-        else:
-            tab.session.notified.emit(f"Saved {path.name}.")
-
-    ask_where_to_save(tab, title, name, filters, checked)
+    ask_to_export(tab, tab.session, title, name, filters, at_once(write))

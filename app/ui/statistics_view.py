@@ -7,7 +7,7 @@ from PySide6.QtGui import QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 from vtkmodules.vtkRenderingCore import vtkCellPicker
 
-from app.scene.camera import CameraPose
+from app.scene.camera import OBLIQUE, CameraPose
 from app.scene.panes import Look
 from app.scene.statistics_scene import SCENE_SHAPE, ModelPane, StatisticsScene
 from app.scene.unit_ball import UnitFrame
@@ -54,7 +54,7 @@ class StatisticsView(QWidget):
         self._panes, self._look = panes, look
         self._draw()
         if fresh:
-            self.look_from("Oblique")
+            self.look_from(OBLIQUE)
 
     def light(self, masks: Sequence[BoolArray | None]) -> None:
         """Light up vertices of each model."""

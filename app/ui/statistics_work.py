@@ -20,8 +20,8 @@ from core.statistics import (
     geodesic_steps,
     spectrum_steps,
     summarise,
+    vertex_distance_steps,
 )
-from core.statistics.geodesic import distances_from_vertex
 
 Kind = Literal["vertices", "spectrum", "geodesic", "picked"]
 _KEPT = 60
@@ -71,13 +71,12 @@ class _Task:
             return spectrum_steps(self.mesh, self.params)
         if self.kind == "geodesic":
             return geodesic_steps(self.mesh, self.params)
-        return self._at_once()
+        if self.kind == "picked":
+            return vertex_distance_steps(self.mesh, *self.params)
+        return self._vertices()
 
-    def _at_once(self) -> Iterator[Progress[Any]]:
-        if self.kind == "vertices":
-            yield Progress((connectivity(self.mesh), summarise(self.mesh)), 1.0)
-        else:
-            yield Progress(distances_from_vertex(self.mesh, *self.params), 1.0)
+    def _vertices(self) -> Iterator[Progress[Any]]:
+        yield Progress((connectivity(self.mesh), summarise(self.mesh)), 1.0)
 
 
 class StatisticsWork:

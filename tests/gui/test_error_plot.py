@@ -103,5 +103,5 @@ def test_plot_is_redrawn_when_it_is_shown_again(qtbot, plot, change):
 
 
 def test_saved_plot_shows_what_the_window_shows(plot, tmp_path):
-    plot.save(tmp_path / "errors.svg")
+    plot.writer()(tmp_path / "errors.svg")
     assert "Angle median filter" in (tmp_path / "errors.svg").read_text(encoding="utf-8")

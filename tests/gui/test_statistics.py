@@ -6,7 +6,7 @@ from PySide6.QtGui import QGuiApplication, QMouseEvent
 
 from app.scene.colours import DARK, LIGHT
 from app.ui import statistics_tools
-from app.ui.statistics_saving import copy_numbers, save_cell
+from app.ui.statistics_saving import cell_writer, copy_numbers
 from app.ui.statistics_tab import StatisticsTab
 from core.io import save_mesh
 from core.mesh import primitives
@@ -241,7 +241,7 @@ def test_matrix_beside_the_model(qtbot, tab, tmp_path):
     assert tab.matrix.isVisible()
     assert tab.view.isVisible()
     for name in ("matrix.mtx", "matrix.npz", "matrix.png"):
-        save_cell(tab, "matrix", tmp_path / name)
+        cell_writer(tab, "matrix")(tmp_path / name)
         assert (tmp_path / name).stat().st_size > 500
 
 
@@ -249,7 +249,7 @@ def test_matrix_beside_the_model(qtbot, tab, tmp_path):
 def test_plots_are_saved(tab, tmp_path, suffix):
     for plot in tab.plots:
         path = tmp_path / f"{plot}.{suffix}"
-        save_cell(tab, plot, path)
+        cell_writer(tab, plot)(path)
         assert path.stat().st_size > 1000
 
 

@@ -1,11 +1,24 @@
 """Pictures without a window: what is on them, at any size, on any ground."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
+import pyvista as pv
 
-from app.export.pictures import PictureError, grid_picture, save_picture, scaled, unmix
-from app.scene.camera import CameraPose
+from app.export.pictures import (
+    PictureError,
+    composed,
+    grid_picture,
+    grid_pieces,
+    save_picture,
+    scaled,
+    shot,
+    unmix,
+)
+from app.scene.camera import OBLIQUE, CameraPose
 from app.scene.colours import DARK
+from app.scene.grid import GRID_SHAPE, PaneGrid
 from app.scene.panes import Look, Pane, shared_range
 from core.mesh import primitives
 
@@ -73,3 +86,20 @@ def test_values_colour_the_mesh_and_add_a_bar():
 def test_a_picture_that_cannot_be_written_is_one_sentence(tmp_path):
     with pytest.raises(PictureError, match=r"picture\.png cannot be written: No such file"):
         save_picture(np.zeros((2, 2, 3), np.uint8), tmp_path / "no" / "picture.png")
+
+
+@pytest.mark.parametrize("transparent", [False, True])
+def test_panes_drawn_one_a_step_are_the_panes_drawn_at_once(transparent):
+    panes = [pane(id_, title=id_.title()) for id_ in ("mean", "median", "laplacian")]
+    look = replace(Look(BALL.faces, DARK), selected="median")
+    pieces = list(grid_pieces(panes, look, None, SIZE, transparent=transparent))
+    assert len(pieces) >= 5
+    plotter = pv.Plotter(shape=GRID_SHAPE, border=False, off_screen=True, window_size=list(SIZE))
+    grid = PaneGrid(plotter)
+    grid.show(panes, look, SIZE)
+    grid.look_from(OBLIQUE)
+    opaque = (DARK.ground, DARK.ground_top)
+    grounds = [("black", None), ("white", None)] if transparent else [opaque]
+    at_once = composed([shot(grid, *ground) for ground in grounds])
+    plotter.close()
+    assert np.array_equal(composed(pieces), at_once)
