@@ -1,8 +1,9 @@
 """Moving cameras: presets, zooming into a rectangle, flying to a point."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 from vtkmodules.vtkRenderingCore import vtkCamera
 
 from core.arrays import FloatArray
@@ -20,7 +21,11 @@ PRESETS: dict[str, tuple[tuple[float, float, float], tuple[float, float, float]]
 """Direction from the model to the camera, and the direction that is up, by name."""
 
 
+OBLIQUE = "Oblique"
+"""The preset from which a model is seen first."""
+
 _VIEW_ANGLE = 30.0
+_DEEP = 1.5
 
 
 class CameraPose(NamedTuple):
@@ -42,18 +47,38 @@ class CameraPose(NamedTuple):
         camera.SetViewUp(self.view_up)
 
 
-def preset_pose(name: str, radius: float, aspect: float = 1.0) -> CameraPose:
-    """Pose that shows a ball of `radius` about the origin from a preset direction.
+def preset_directions(
+    name: str, points: NDArray[np.floating[Any]]
+) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
+    """Direction from a model to the camera, and the direction that is up.
+
+    The oblique one looks across the longer side: a model that is much deeper than it is wide
+    would be seen from one of its ends. Which end is its front, and whether Y is up in the file,
+    no geometry tells.
+    """
+    direction, up = PRESETS[name]
+    wide, _, deep = np.ptp(points, axis=0)
+    return (direction[::-1] if name == OBLIQUE and deep > _DEEP * wide else direction), up
+
+
+def preset_pose(
+    name: str, points: NDArray[np.floating[Any]], radius: float, aspect: float = 1.0
+) -> CameraPose:
+    """Pose that shows points in a ball of `radius` about the origin from a preset direction.
 
     `aspect` is width over height of the narrowest view; a narrow one needs more distance.
     """
-    direction, up = PRESETS[name]
+    direction, up = preset_directions(name, points)
     unit = np.array(direction) / np.linalg.norm(direction)
+    return CameraPose(tuple(unit * distance_to(radius, aspect)), (0.0, 0.0, 0.0), up)
+
+
+def distance_to(radius: float, aspect: float = 1.0) -> float:
+    """Distance from which a ball of `radius` fills a view of this width over height."""
     half_angle = np.radians(_VIEW_ANGLE / 2)
     if aspect < 1:
         half_angle = np.arctan(aspect * np.tan(half_angle))
-    distance = 0.98 * radius / np.sin(half_angle)
-    return CameraPose(tuple(unit * distance), (0.0, 0.0, 0.0), up)
+    return float(0.98 * radius / np.sin(half_angle))
 
 
 def pan_and_dolly(camera: vtkCamera, target: FloatArray, factor: float) -> None:

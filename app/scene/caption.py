@@ -16,6 +16,9 @@ _CAPTION_SIZE = 12
 _MARGIN = 8
 _MEASURED_SIZE = 100
 _SMALLEST = 0.66
+_LINE_SPACING = 1.2
+PART_GAP = "   "
+"""What stands between the parts of a caption that are on one line."""
 
 
 class Caption:
@@ -24,6 +27,7 @@ class Caption:
     def __init__(self) -> None:
         self._title = _line(_TITLE_SIZE, bold=True)
         self._caption = _line(_CAPTION_SIZE, bold=False)
+        self._caption.prop.SetLineSpacing(_LINE_SPACING)
 
     def add_to(self, renderer: pv.Renderer) -> None:
         """Put the text into a renderer."""
@@ -46,7 +50,8 @@ class Caption:
         """Write a pane's text.
 
         `height` is the height of its viewport in pixels; the text ends at `right`, or begins at
-        the left edge where that is None. Text that is wider than `width` is written smaller.
+        the left edge where that is None. A caption that is wider than `width` gets more lines, and
+        what is still wider is written smaller.
         """
         scale = look.text_scale
         top = height - _MARGIN * scale
@@ -56,13 +61,15 @@ class Caption:
         self._place(
             self._title, top, fitting(pane.title, _TITLE_SIZE * scale, room, bold=True), edge
         )
-        size = fitting(pane.caption, _CAPTION_SIZE * scale, room)
+        caption = parted(pane.caption, _CAPTION_SIZE * scale, room)
+        widest = max(caption.split("\n"), key=len)
+        size = fitting(widest, _CAPTION_SIZE * scale, room)
         self._place(self._caption, below, size, edge)
         for line in (self._title, self._caption):
             line.prop.justification_horizontal = "left" if right is None else "right"
         self._title.input = pane.title
         self._title.prop.SetColor(pv.Color(pane.colour).float_rgb)
-        self._caption.input = pane.caption
+        self._caption.input = caption
         colour = _WARNING[look.theme.dark] if pane.warning else look.theme.ink
         self._caption.prop.SetColor(pv.Color(colour).float_rgb)
 
@@ -70,6 +77,19 @@ class Caption:
     def _place(line: pv.Text, top: float, size: int, left: float) -> None:
         line.SetPosition(left, top)
         line.prop.SetFontSize(size)
+
+
+def parted(text: str, size: float, room: float) -> str:
+    """Put the parts of a caption below each other where they do not fit beside each other."""
+    first, *others = text.split(PART_GAP)
+    lines = [first]
+    for part in others:
+        joined = f"{lines[-1]}{PART_GAP}{part}"
+        if text_width(joined, size) <= room:
+            lines[-1] = joined
+        else:
+            lines.append(part)
+    return "\n".join(lines)
 
 
 def fitting(text: str, size: float, room: float, *, bold: bool = False) -> int:

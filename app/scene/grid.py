@@ -152,8 +152,9 @@ class PaneGrid:
     def look_from(self, preset: str) -> None:
         """Show the whole of the first pane's model from a preset direction."""
         if self._panes:
-            radius = float(np.linalg.norm(self._panes[0].points, axis=1).max())
-            self.set_poses([preset_pose(preset, radius, self._narrowest)])
+            points = self._panes[0].points
+            radius = float(np.linalg.norm(points, axis=1).max())
+            self.set_poses([preset_pose(preset, points, radius, self._narrowest)])
 
     def fit_clipping(self) -> None:
         """Set the clipping ranges from the union of all panes, which a shared camera needs."""

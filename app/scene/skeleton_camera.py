@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from app.scene.camera import PRESETS, CameraPose
+from app.scene.camera import CameraPose, preset_directions
 from core.arrays import FloatArray
 
 _VIEW_ANGLE = 30.0
@@ -16,7 +16,7 @@ def fitting_pose(preset: str, points: FloatArray, aspect: float) -> CameraPose:
     A point at height z towards the camera and x beside its axis is seen if the camera stands
     farther than z + x/tan(α), where α is half the view angle.
     """
-    direction, up = PRESETS[preset]
+    direction, up = preset_directions(preset, points)
     forward = -np.array(direction) / np.linalg.norm(direction)
     right = np.cross(forward, up)
     right /= np.linalg.norm(right)

@@ -1,8 +1,7 @@
 """Places for the flat drawing of a graph: bands from left to right, branches below each other."""
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import breadth_first_order
+import scipy
 
 from core.arrays import FloatArray, IntArray
 from core.skeleton import SkeletalGraph
@@ -16,12 +15,12 @@ def flat_places(graph: SkeletalGraph) -> FloatArray:
     """
     count = len(graph.nodes)
     ones = np.ones(len(graph.arcs), np.int8)
-    matrix = coo_array((ones, graph.arcs.T), shape=(count, count)).tocsr()
+    matrix = scipy.sparse.coo_array((ones, graph.arcs.T), shape=(count, count)).tocsr()
     rows = np.full(count, -1.0)
     free = 0
     for start in _starts(graph):
         if rows[start] < 0:
-            order, parents = breadth_first_order(matrix, start, directed=False)
+            order, parents = scipy.sparse.csgraph.breadth_first_order(matrix, start, directed=False)
             free = _place_tree(order, parents, rows, free)
     return np.column_stack([graph.band.astype(np.float64), rows])
 

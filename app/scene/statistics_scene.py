@@ -8,7 +8,7 @@ import pyvista as pv
 from numpy.typing import NDArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray
 
-from app.scene.camera import CameraPose, preset_pose
+from app.scene.camera import CameraPose, distance_to, preset_pose
 from app.scene.caption import Caption
 from app.scene.colour_bar import ColourBar
 from app.scene.layout import Viewport, tile
@@ -103,7 +103,9 @@ class StatisticsScene:
 
     def look_from(self, preset: str) -> None:
         """Show the whole models from a preset direction."""
-        self.set_pose(preset_pose(preset, _RADIUS, self._narrowest))
+        if self._panes:
+            points = self._panes[0].pane.points
+            self.set_pose(preset_pose(preset, points, _RADIUS, self._narrowest))
 
     @property
     def pose(self) -> CameraPose:
@@ -190,7 +192,7 @@ class StatisticsScene:
 
 def _distance(aspect: float) -> float:
     """Distance from which a camera sees a model in a view of this width over height."""
-    return float(np.linalg.norm(preset_pose("Front (+Z)", _RADIUS, aspect).position))
+    return distance_to(_RADIUS, aspect)
 
 
 class _Lights:

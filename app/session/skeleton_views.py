@@ -18,7 +18,8 @@ from core.study import SkeletonView, Study
 
 T = TypeVar("T")
 VIEW_COUNT = 2
-_Made = tuple[tuple[str, SkeletonView], Skeleton | Exception]
+_Asked = tuple[str, SkeletonView]
+_Made = tuple[_Asked, Skeleton | Exception]
 
 
 class SkeletonViews:
@@ -35,6 +36,8 @@ class SkeletonViews:
 
     changed = Signal(int)
     """Another graph, or the reason why there is none, is there: (view)."""
+    cancelled_changed = Signal(int)
+    """The graph that is asked for was given up, or no longer is: (view)."""
     invariance_checked = Signal(int, object)
     """A check of invariance has ended: (view, report)."""
 
@@ -45,7 +48,8 @@ class SkeletonViews:
         self._skeletons: list[Skeleton | None] = [None] * VIEW_COUNT
         self._problems = [""] * VIEW_COUNT
         self._wanted: list[tuple[SkeletonSource, SkeletonView] | None] = [None] * VIEW_COUNT
-        self._drawn: list[tuple[str, SkeletonView] | None] = [None] * VIEW_COUNT
+        self._drawn: list[_Asked | None] = [None] * VIEW_COUNT
+        self._given_up: list[_Asked | None] = [None] * VIEW_COUNT
         self._jobs: list[Job | None] = [None] * VIEW_COUNT
         session.study_changed.connect(self._on_study_changed)
         session.meshes_changed.connect(self._update)
@@ -64,6 +68,15 @@ class SkeletonViews:
         """Return why a view has no graph, or an empty text."""
         return self._problems[view]
 
+    def is_cancelled(self, view: int) -> bool:
+        """Whether the graph that a view asks for was cancelled; another may be shown."""
+        return self._given_up[view] is not None
+
+    def resume(self, view: int) -> None:
+        """Draw the graph after all that was cancelled."""
+        self._give_up(view, None)
+        self._update()
+
     @property
     def shown(self) -> tuple[int, ...]:
         """Views that are shown."""
@@ -71,7 +84,7 @@ class SkeletonViews:
 
     @property
     def is_settled(self) -> bool:
-        """Whether every shown view has what it asks for."""
+        """Whether every shown view has what it asks for, or was cancelled."""
         return self._session.meshes is not None and not any(self._jobs)
 
     def find_resolution(self, view: int) -> None:
@@ -123,10 +136,12 @@ class SkeletonViews:
             return
         views = self._session.study.skeleton.views
         for index in self.shown:
-            source = self._source(views[index])
+            source, asked = self._source(views[index]), self._asked(index)
+            if asked != self._given_up[index]:
+                self._give_up(index, None)
             if source is None:
                 self._tell_problem(index, _absent_text(views[index].source))
-            elif self._drawn[index] != (source.key, views[index]):
+            elif asked not in (self._drawn[index], self._given_up[index]):
                 self._wanted[index] = source, views[index]
                 self._start(index)
 
@@ -143,14 +158,19 @@ class SkeletonViews:
             if self._jobs[index] is job:
                 self._jobs[index] = None
 
+        def cancel() -> None:
+            done()  # what is asked for meanwhile need not wait
+            asked = self._asked(index)
+            self._give_up(index, asked if asked != self._drawn[index] else None)
+
         adopt, title = partial(self._adopt, index), "Skeletal graph"
         job = progress_job(steps(), adopt, self._session.report, done, title=title)
-        job.on_cancel = done  # what is asked for meanwhile need not wait
+        job.on_cancel = cancel
         self._jobs[index] = job
         self._session.jobs.start(job, urgent=True)
 
     def _make(self, source: SkeletonSource, view: SkeletonView) -> Iterator[Progress[_Made]]:
-        drawn = source.key, view
+        drawn: _Asked = source.key, view
         try:
             for step in self._maker.steps(source, view):
                 yield Progress((drawn, step.value) if step.value else None, step.share)
@@ -166,6 +186,17 @@ class SkeletonViews:
         self._jobs[index] = None
         self._update()
         self.changed.emit(index)
+
+    def _asked(self, index: int) -> _Asked | None:
+        """What a view asks for; None where there is no surface."""
+        view = self._session.study.skeleton.views[index]
+        source = self._source(view)
+        return (source.key, view) if source else None
+
+    def _give_up(self, index: int, asked: _Asked | None) -> None:
+        if asked != self._given_up[index]:
+            self._given_up[index] = asked
+            self.cancelled_changed.emit(index)
 
     def _tell_problem(self, index: int, problem: str) -> None:
         self._drawn[index] = self._wanted[index] = None

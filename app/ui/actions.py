@@ -6,6 +6,7 @@ from app.export.statistics_plots import PLOTS
 from app.scene.camera import PRESETS
 from core.io import bundled_samples
 from core.metrics import METRICS
+from core.smoothing import METHODS
 
 
 @dataclass(frozen=True)
@@ -56,6 +57,11 @@ PANELS = {
 
 COLOURS = {"none": "Nothing"} | {id_: spec.heat_title for id_, spec in METRICS.items()}
 """What can colour the panes, by id."""
+
+COMPARED = {"original": "Original", "noisy": "Noisy input"} | {
+    id_: spec.title for id_, spec in METHODS.items()
+}
+"""Panes that the selected one can be compared with, by id."""
 
 THEMES = {"system": "System", "light": "Light", "dark": "Dark"}
 
@@ -132,11 +138,17 @@ COMMANDS = (
       for key, name in enumerate(PRESETS, start=1)),
     Command("save_camera", "View/&Cameras", "&Save Camera…", "Save the camera under a name",
             "Ctrl+Alt+S"),
+    Command("restore_camera", "View/&Cameras", "&Restore Camera…",
+            "Put the camera back to where one was saved under a name", "Ctrl+Alt+R"),
+    Command("forget_camera", "View/&Cameras", "&Forget Camera…", "Forget a camera that was saved"),
     Command("flicker", "View/Co&mpare Panes", "&Flicker (Hold the Key)",
             "While held, the selected pane shows the mesh it is compared with", "X"),
     Command("swipe", "View/Co&mpare Panes", "&Swipe Line",
             "Part one pane by a line to drag: left the one, right the other", "D",
             checkable=True),
+    *(Command(f"compare_{id_}", "View/Co&mpare Panes/&With", title,
+              f"Compare the selected pane with this one: {title}", checkable=True,
+              group="compare") for id_, title in COMPARED.items()),
     Command("difference", "View", "&Distance to the Original",
             "Heat map of each vertex' distance to where it was in the original", "H",
             checkable=True, divided=True),
@@ -173,9 +185,11 @@ TOOLBAR = ("open", None, "undo", "redo", None, "advance", "cancel", None, "link"
 NEED_MODEL = (
     "doctor", "save_study", "save_study_as", "save_packed", "save_mesh", "save_plot", "save_table",
     "copy_table", "figure", "screenshot", "advance", "copy_command", "copy_script", "flicker",
-    "swipe", "copy_camera", "paste_camera", "save_camera", "save_graph", "save_film",
-    "save_statistics", "save_matrix", "enlarge", "reset_view", "box_zoom", "fly",
+    "swipe", "copy_camera", "paste_camera", "save_camera", "restore_camera", "forget_camera",
+    "save_graph", "save_film", "save_statistics", "save_matrix", "enlarge", "reset_view",
+    "box_zoom", "fly",
     *(f"save_plot_{id_}" for id_ in PLOTS),
+    *(f"compare_{id_}" for id_ in COMPARED),
     *(f"look_{key}" for key in range(1, len(PRESETS) + 1)),
 )  # fmt: skip
 """Commands that need a model."""

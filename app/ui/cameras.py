@@ -1,7 +1,9 @@
 """Cameras that are saved by name, copied and pasted."""
 
+from collections.abc import Callable
 from typing import Any
 
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QInputDialog, QLineEdit, QMenu
 
 from app.scene.camera import CameraPose
@@ -40,13 +42,19 @@ class Cameras:
     def ask_for_name(self) -> None:
         """Ask for a name and keep the camera under it, with the study."""
         view = self._window.session.study.view
-        dialog = QInputDialog(self._window)
-        dialog.setWindowTitle("Save the camera")
-        dialog.setLabelText("Name")
+        dialog = self._dialog("Save the camera")
         dialog.setTextValue(f"Camera {len(view.cameras) + 1}")
         dialog.textValueSelected.connect(self._save)
         dialog.open()
         dialog.findChild(QLineEdit).selectAll()
+
+    def ask_which_to_restore(self) -> None:
+        """Ask for the name of a saved camera and go there."""
+        self._ask_which("Restore a camera", self._restore)
+
+    def ask_which_to_forget(self) -> None:
+        """Ask for the name of a saved camera and forget it."""
+        self._ask_which("Forget a camera", self._forget)
 
     def fill(self, menu: QMenu, first: int) -> None:
         """List the saved cameras in a menu, after its first entries."""
@@ -61,18 +69,37 @@ class Cameras:
             action = menu.addAction(camera.name)
             action.setStatusTip("Put the camera back to where it was saved")
             action.triggered.connect(lambda *_, camera=camera: self._place(pose_of(camera)))
-        forget = QMenu("&Forget", menu)
-        for camera in cameras:
-            action = forget.addAction(camera.name)
-            action.triggered.connect(lambda *_, name=camera.name: self._forget(name))
-        menu.addSeparator()
-        menu.addMenu(forget)
+
+    def _ask_which(self, title: str, use: Callable[[str], None]) -> None:
+        """Ask for one of the saved cameras by its name."""
+        cameras = self._window.session.study.view.cameras
+        dialog = self._dialog(title)
+        dialog.setComboBoxItems([camera.name for camera in cameras])
+        dialog.textValueSelected.connect(use)
+        dialog.open()
+
+    def _dialog(self, title: str) -> QInputDialog:
+        dialog = QInputDialog(self._window)
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog.setWindowTitle(title)
+        dialog.setLabelText("Name")
+        return dialog
 
     def _save(self, name: str) -> None:
-        if name.strip():
+        if not name.strip():
+            return
+        try:
             camera = named(name.strip(), self._pose())
-            view = self._window.session.study.view.with_camera(camera)
-            self._window.change_view("Save camera", view)
+        except CameraTextError as error:
+            tell(self._window, str(error))
+            return
+        view = self._window.session.study.view.with_camera(camera)
+        self._window.change_view("Save camera", view)
+
+    def _restore(self, name: str) -> None:
+        for camera in self._window.session.study.view.cameras:
+            if camera.name == name:
+                self._place(pose_of(camera))
 
     def _forget(self, name: str) -> None:
         view = self._window.session.study.view.without_camera(name)

@@ -4,6 +4,7 @@ import contextlib
 import logging
 import threading
 from collections.abc import Callable
+from typing import NamedTuple
 
 from app.ui.tasks import Poster
 
@@ -11,52 +12,113 @@ logger = logging.getLogger(__name__)
 
 _NO_CONNECTION = ("connection", "urlerror", "gaierror")
 
+
+class Example(NamedTuple):
+    """A surface of `pyvista.examples`: its title, and its file there."""
+
+    title: str
+    file: str
+
+
 EXAMPLES = {
-    "bunny": "Bunny",
-    "bunny_coarse": "Coarse bunny",
-    "cow": "Cow",
-    "cow_head": "Cow's head",
-    "horse": "Horse",
-    "dragon": "Dragon",
-    "armadillo": "Armadillo",
-    "lucy": "Lucy",
-    "foot_bones": "Foot bones",
-    "louis_louvre": "Louis XIV",
-    "shark": "Shark",
-    "owl": "Owl",
-    "urn": "Urn",
-    "gears": "Gears",
+    "bunny": Example("Bunny", "bunny.ply"),
+    "bunny_coarse": Example("Coarse bunny", "Bunny.vtp"),
+    "cow": Example("Cow", "cow.vtp"),
+    "cow_head": Example("Cow's head", "cowHead.vtp"),
+    "horse": Example("Horse", "horse.vtp"),
+    "dragon": Example("Dragon", "dragon.ply"),
+    "armadillo": Example("Armadillo", "Armadillo.ply"),
+    "lucy": Example("Lucy", "lucy.ply"),
+    "foot_bones": Example("Foot bones", "fsu/footbones.ply"),
+    "louis_louvre": Example("Louis XIV", "louis.ply"),
+    "shark": Example("Shark", "shark.ply"),
+    "owl": Example("Owl", "ivan-nikolov/owl_decimated.vtp"),
+    "urn": Example("Urn", "urn.stl"),
+    "gears": Example("Gears", "gears.stl"),
 }
-"""Names of surfaces that `pyvista.examples` downloads, with their titles."""
+"""Surfaces that can be downloaded, by id."""
 
 
 class DownloadError(Exception):
     """Raised when a model cannot be had; one sentence says why."""
 
 
-def download(example: str) -> str:
+class DownloadCancelledError(DownloadError):
+    """Raised when a download was cancelled."""
+
+
+class Meter:
+    """Is told by a download how far it is, and stops it between two pieces when it is cancelled.
+
+    To the library that downloads it is a progress bar.
+    """
+
+    def __init__(self) -> None:
+        self.total = 0
+        self._done = 0
+        self._cancelled = False
+
+    def cancel(self) -> None:
+        """Let the download stop at its next piece."""
+        self._cancelled = True
+
+    def share(self) -> float | None:
+        """Share that has come, None where that is not known."""
+        return min(self._done / self.total, 1.0) if self.total else None
+
+    def update(self, size: int) -> None:
+        """Count a piece that has come."""
+        if self._cancelled:
+            raise DownloadCancelledError("The download was cancelled.")
+        self._done += size
+
+    def reset(self) -> None:
+        """Count from the beginning."""
+        self._done = 0
+
+    def close(self) -> None:
+        """All has come: nothing is left to tell."""
+
+
+def download(example: str, meter: Meter) -> str:
     """Return the path of an example, downloaded unless it was before.
 
     Raises
     ------
+    DownloadCancelledError
+        If it was cancelled; then nothing is left of it.
     DownloadError
         If it cannot be had.
     """
-    from pyvista import examples
-
     try:
-        return str(getattr(examples, f"download_{example}")(load=False))
+        return _fetched(EXAMPLES[example].file, meter)
+    except DownloadCancelledError:
+        raise
     except Exception as error:
         # What a download can raise depends on the libraries beneath PyVista.
         logger.info("download of %s failed: %s", example, error)
-        raise DownloadError(
-            f"{EXAMPLES[example]} cannot be downloaded: {_reason(error)}"
-        ) from error
+        title = EXAMPLES[example].title
+        raise DownloadError(f"{title} cannot be downloaded: {_reason(error)}") from error
+
+
+def _fetched(file: str, meter: Meter) -> str:
+    """Get a file into PyVista's own folder, under its name only once all of it is there.
+
+    PyVista lets nobody look on while it downloads, so that is done before it is asked.
+    """
+    import pooch
+    from pyvista.examples import downloads
+
+    if downloads.SOURCE.startswith("http"):  # it may be a folder on this computer
+        downloads.FETCHER.registry.setdefault(file, None)
+        downloads.FETCHER.fetch(file, downloader=pooch.HTTPDownloader(progressbar=meter))
+    return str(downloads.download_file(file))
 
 
 def download_beside(
     poster: Poster,
     example: str,
+    meter: Meter,
     done: Callable[[str], None],
     failed: Callable[[DownloadError], None],
 ) -> None:
@@ -64,7 +126,7 @@ def download_beside(
 
     def work() -> None:
         try:
-            path = download(example)
+            path = download(example, meter)
         except DownloadError as error:
             _post(poster, lambda error=error: failed(error))
         else:

@@ -4,7 +4,6 @@ from collections.abc import Iterator
 from functools import partial
 from typing import TYPE_CHECKING
 
-import qtawesome
 from PySide6.QtCore import QSettings, QSize, Qt
 from PySide6.QtGui import QIcon, QPalette
 from PySide6.QtWidgets import (
@@ -20,7 +19,8 @@ from PySide6.QtWidgets import (
 
 from app.session import Job, Task
 from app.ui.controls import FaintLabel
-from app.ui.downloads import EXAMPLES, DownloadError, download_beside
+from app.ui.downloads import EXAMPLES, DownloadError, Meter, download_beside
+from app.ui.icons import font_icon
 from app.ui.tasks import Poster
 from app.ui.thumbnails import draw_thumbnail, thumbnail
 from core.io import bundled_samples, load_sample
@@ -53,7 +53,9 @@ class GalleryDialog(QDialog):
         self._poster = Poster(window)
         self._alive = True
         self.bundled = self._list({SAMPLE_PREFIX + s.id: s.title for s in bundled_samples()})
-        self.examples = self._list({_EXAMPLE + id_: name for id_, name in EXAMPLES.items()})
+        self.examples = self._list(
+            {_EXAMPLE + id_: example.title for id_, example in EXAMPLES.items()}
+        )
         self.message = FaintLabel("Models of pyvista.examples are downloaded once, then kept.")
         self.progress = QProgressBar(maximum=0, textVisible=False, visible=False)
         self.progress.setFixedHeight(8)
@@ -72,7 +74,7 @@ class GalleryDialog(QDialog):
         shown.setIconSize(_PICTURE)
         shown.setGridSize(_CELL)
         ink = self.palette().color(QPalette.ColorRole.Mid)
-        blank = qtawesome.icon("mdi6.cube-outline", color=ink)
+        blank = font_icon("mdi6.cube-outline", color=ink)
         for model, title in entries.items():
             item = QListWidgetItem(_picture(model) or blank, title, shown)
             item.setData(Qt.ItemDataRole.UserRole, model)
@@ -114,10 +116,13 @@ class GalleryDialog(QDialog):
         title = f"Downloading {item.text()}"
         self.message.setText(f"{title} …")
         self._set_busy(True)
-        task = Task(title=title, on_cancel=lambda: self._cancelled(task))
+        meter = Meter()
+        task = Task(
+            title=title, share=meter.share, on_cancel=lambda: self._cancelled(task, meter)
+        )  # fmt: skip
         self._window.session.tasks.begin(task)
         done, failed = partial(self._downloaded, task, model), partial(self._failed, task)
-        download_beside(self._poster, model.removeprefix(_EXAMPLE), done, failed)
+        download_beside(self._poster, model.removeprefix(_EXAMPLE), meter, done, failed)
 
     def _downloaded(self, task: Task, model: str, path: str) -> None:
         """Open a model that has come, unless the dialog was left meanwhile."""
@@ -138,8 +143,9 @@ class GalleryDialog(QDialog):
         else:
             self._window.session.notified.emit(str(error))
 
-    def _cancelled(self, task: Task) -> None:
-        """Wait no longer: what is under way cannot be cut off, but opens nothing any more."""
+    def _cancelled(self, task: Task, meter: Meter) -> None:
+        """Stop the download; a server that is silent at the moment is not waited for."""
+        meter.cancel()
         self._window.session.tasks.end(task)
         if self._alive:
             self._set_busy(False)

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.ui.controls import FaintLabel, IconButton, WheelGuard
-from core.parameters import Parameter, Params, describe
+from core.parameters import Parameter, Params, describe, value_text
 
 _MOST = 1e9
 
@@ -84,7 +84,7 @@ class ParameterField(QWidget):
         self.editor = self._access.widget
         self.editor.setAccessibleName(_sentence(parameter.label))
         self.auto = QCheckBox("auto") if parameter.optional else None
-        self.reset = IconButton("mdi6.restore", f"Back to {_word(parameter.default)}")
+        self.reset = IconButton("mdi6.restore", f"Back to {value_text(parameter.default)}")
         _keep_room(self.reset)
         guard.guard(self.editor)
         layout = QHBoxLayout(self)
@@ -214,13 +214,9 @@ def _keep_room(widget: QWidget) -> None:
     widget.setSizePolicy(policy)
 
 
-def _word(value: Any) -> str:
-    words = {None: "auto", True: "on", False: "off"}
-    return words[value] if value is None or isinstance(value, bool) else str(value)
-
-
 def _tip(parameter: Parameter) -> str:
-    return f"{parameter.help}\nAllowed: {parameter.domain}. Default: {_word(parameter.default)}."
+    default = value_text(parameter.default)
+    return f"{parameter.help}\nAllowed: {parameter.domain}. Default: {default}."
 
 
 def _sentence(text: str) -> str:

@@ -4,13 +4,13 @@ from functools import cache
 from textwrap import wrap
 from typing import Any, ClassVar
 
-import qtawesome
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, Qt
 from PySide6.QtGui import QColor, QFont, QIcon, QPainter, QPixmap
 from PySide6.QtWidgets import QWidget
 
 from app.export.tables import ResultRow, best_rows, cells, headers
 from app.scene.colours import NOISY_COLOUR, method_colour
+from app.ui.icons import font_icon
 from core.metrics import METRICS
 from core.smoothing import METHODS
 
@@ -34,7 +34,7 @@ class ResultsModel(QAbstractTableModel):
         self._titles = headers()
         self._texts: list[tuple[str, ...]] = []
         self._best: dict[int, frozenset[int]] = {}
-        self._warning = qtawesome.icon("mdi6.alert-outline", color=_WARNING_COLOUR)
+        self._warning = font_icon("mdi6.alert-outline", color=_WARNING_COLOUR)
         self._dots = {method: _dot(method_colour(method)) for method in METHODS}
         self._noisy_dot = _dot(NOISY_COLOUR)
 

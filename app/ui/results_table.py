@@ -1,8 +1,8 @@
 """The table of results."""
 
-import os
 from collections.abc import Callable, Sequence
 from functools import partial
+from pathlib import Path
 
 from PySide6.QtCore import QItemSelectionModel, QModelIndex, QSize, Qt, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QResizeEvent
@@ -31,8 +31,8 @@ from app.ui.results_model import NOTE, TITLE, ResultsModel
 from core.study import Study
 
 _REFRESH_MS = 80
-_NARROWEST_TITLE = 74
 _NOTE_ICON = 26
+_BESIDE_WORDS = 14
 _SPACE = 12
 
 _FORMATS: dict[str, Callable[[Sequence[ResultRow]], str]] = {
@@ -44,7 +44,7 @@ _FORMATS: dict[str, Callable[[Sequence[ResultRow]], str]] = {
 
 
 class ResultsView(QTableView):
-    """Table view whose columns always fill its width."""
+    """Table view whose columns always fill its width; names that do not fit get more lines."""
 
     def __init__(self, model: ResultsModel) -> None:
         super().__init__()
@@ -53,6 +53,14 @@ class ResultsView(QTableView):
 
     def fit_columns(self) -> None:
         """Give the numbers what they need, then the names, then space, then the notes."""
+        self._fit_widths()
+        rows = self.verticalHeader()
+        wraps = self.columnWidth(TITLE) < self.sizeHintForColumn(TITLE)
+        for row in range(self.model().rowCount()):
+            height = self.sizeHintForRow(row) if wraps else 0
+            rows.resizeSection(row, max(height, rows.defaultSectionSize()))
+
+    def _fit_widths(self) -> None:
         columns = self.horizontalHeader()
         widths = [
             max(self.sizeHintForColumn(column), columns.sectionSizeHint(column))
@@ -60,13 +68,20 @@ class ResultsView(QTableView):
         ]
         numbers = range(TITLE + 1, NOTE)
         room = self.viewport().width() - sum(widths[column] for column in numbers) - _NOTE_ICON
-        widths[TITLE] = max(min(widths[TITLE], room), _NARROWEST_TITLE)
+        widths[TITLE] = max(min(widths[TITLE], room), self._widest_word())
         space = min(max(room - widths[TITLE], 0) // len(numbers), _SPACE)
         for column in numbers:
             widths[column] += space
         widths[NOTE] = max(self.viewport().width() - sum(widths[:NOTE]), _NOTE_ICON)
         for column, width in enumerate(widths):
             columns.resizeSection(column, width)
+
+    def _widest_word(self) -> int:
+        """Width that no word of a name needs more than, with the dot before it."""
+        names = (row.title for row in self.model().rows)
+        words = (word for name in names for word in name.split())
+        widest = max(map(self.fontMetrics().horizontalAdvance, words), default=0)
+        return widest + self.iconSize().width() + _BESIDE_WORDS
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -134,15 +149,9 @@ class ResultsTable(QWidget):
         """Copy the table to the clipboard, as text of fixed width unless told otherwise."""
         QGuiApplication.clipboard().setText(write(self.model.rows))
 
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Save the table as CSV, Markdown, LaTeX or text, by the suffix.
-
-        Raises
-        ------
-        SaveError
-            If the suffix is another.
-        """
-        save_table(path, self.model.rows)
+    def writer(self) -> Callable[[Path], None]:
+        """Return what saves the table of now as CSV, Markdown, LaTeX or text, by the suffix."""
+        return partial(save_table, rows=self.model.rows)
 
     def sizeHint(self) -> QSize:
         return QSize(560, 220)

@@ -3,10 +3,11 @@
 import random
 from dataclasses import replace
 
-from PySide6.QtCore import QByteArray, QSettings, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QByteArray, QSettings, QSize, Qt, QTimer
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QWidget
 
+from app.scene.camera import OBLIQUE
 from app.scene.colours import Theme
 from app.scene.skeleton_panes import SkeletonLook, SkeletonPane, build_pane, missing_pane
 from app.session import Session
@@ -34,8 +35,6 @@ class SkeletonTab(QMainWindow):
     theme : Theme
         Colours to begin with.
     """
-
-    film_written = Signal()
 
     def __init__(self, session: Session, theme: Theme) -> None:
         super().__init__()
@@ -134,12 +133,14 @@ class SkeletonTab(QMainWindow):
     def _connect(self) -> None:
         self.session.study_changed.connect(self._on_study_changed)
         self.views.changed.connect(self._on_graph_changed)
+        self.views.cancelled_changed.connect(self._on_cancelled_changed)
         self.views.invariance_checked.connect(self._on_checked)
         self.viewport.clicked.connect(lambda pane, node: self.pick(self.views.shown[pane], node))
         for view, drawing in enumerate(self.centre.flat):
             drawing.clicked.connect(lambda node, view=view: self.pick(view, node))
         for view, bar in enumerate(self.centre.resolutions):
             bar.automatic_requested.connect(lambda view=view: self.views.find_resolution(view))
+            bar.resume_requested.connect(lambda view=view: self.views.resume(view))
         self.growth.changed.connect(self._on_growth)
         self.side.selected.connect(self.select)
         self.side.facts.check_requested.connect(self._check)
@@ -149,7 +150,8 @@ class SkeletonTab(QMainWindow):
         skeleton = self.views.skeleton(view)
         if skeleton is None:
             settings = self.session.study.skeleton.views[view]
-            return missing_pane(settings, centre, self.views.problem(view) or "Drawing …")
+            waiting = "Cancelled." if self.views.is_cancelled(view) else "Drawing …"
+            return missing_pane(settings, centre, self.views.problem(view) or waiting)
         return build_pane(skeleton, centre, self.step, self.picked.get(view))
 
     def _on_study_changed(self, study: object, before: object) -> None:
@@ -164,6 +166,10 @@ class SkeletonTab(QMainWindow):
         self.picked.pop(view, None)
         self.side.show_outcome("")
         self._show_facts()
+        self._redraw_timer.start()
+
+    def _on_cancelled_changed(self, view: int) -> None:
+        self.centre.resolutions[view].show_cancelled(self.views.is_cancelled(view))
         self._redraw_timer.start()
 
     def _on_growth(self, step: int | None) -> None:
@@ -192,7 +198,7 @@ class SkeletonTab(QMainWindow):
         self.centre.show_panes(dict(zip(self.views.shown, panes, strict=True)), look)
         if self._fresh_model and len(graphs) == len(panes) and self.views.is_settled:
             self._fresh_model = False
-            self.viewport.look_from("Oblique")
+            self.viewport.look_from(OBLIQUE)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

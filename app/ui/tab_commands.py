@@ -8,12 +8,15 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QDockWidget
 
 from app.ui.action_book import ActionBook
-from app.ui.actions import COLOURS, COMMANDS, NEED_MODEL, PANELS, TABS
+from app.ui.actions import COMMANDS, NEED_MODEL, PANELS, TABS
 from app.ui.comparing import Flicker, SwipeLine
 from app.ui.desk import NO_MODEL
 from app.ui.value_probe import ValueProbe
+from core.smoothing import METHODS
 
 _NO_PANELS = "This tab has no panels that can be hidden."
+_NO_CAMERA = "No camera has been saved."
+_KINDS = ("colour", "compare")
 
 
 class TabCommands(QObject):
@@ -86,7 +89,7 @@ class TabCommands(QObject):
 
     def _depends_on_tab(self, command: str) -> bool:
         return (
-            command.startswith(("colour_", "panel_"))
+            command.startswith(("colour_", "compare_", "panel_"))
             or any(command in desk.lacks for desk in self._window.desks)
             or command == "reset_panels"
         )
@@ -103,8 +106,19 @@ class TabCommands(QObject):
             return "" if can else _NO_PANELS
         if command in NEED_MODEL and window.session.meshes is None:
             return NO_MODEL
-        is_colour = command.removeprefix("colour_") in COLOURS and command.startswith("colour_")
-        return str(window.desk.obstacle("colour" if is_colour else command))
+        kind = command.partition("_")[0]
+        is_choice = kind in _KINDS and command != "colour_bar"
+        return str(window.desk.obstacle(kind if is_choice else command)) or self._missing(command)
+
+    def _missing(self, command: str) -> str:
+        """What a command needs of the study and is not there."""
+        study = self._window.session.study
+        if command in {"restore_camera", "forget_camera"} and not study.view.cameras:
+            return _NO_CAMERA
+        method = command.removeprefix("compare_")
+        if command != method and method in METHODS and not study.choice(method).enabled:
+            return f"{METHODS[method].title} is not checked on the Denoise tab."
+        return ""
 
     def _start_flicker(self) -> None:
         self.flicker.start()

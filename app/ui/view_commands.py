@@ -5,12 +5,10 @@ from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QObject
-from PySide6.QtGui import QActionGroup
-from PySide6.QtWidgets import QMenu
 
-from app.scene.camera import PRESETS
+from app.scene.camera import OBLIQUE, PRESETS
 from app.ui.action_book import ActionBook
-from app.ui.actions import COLOURS
+from app.ui.actions import COLOURS, COMPARED
 from app.ui.cameras import Cameras
 from app.ui.colour_bar_dialog import ColourBarDialog
 from app.ui.montage_dialog import MontageDialog
@@ -45,18 +43,22 @@ class ViewCommands(QObject):
             for key, name in enumerate(PRESETS, start=1)
         }
         colours = {f"colour_{id_}": partial(self._colour_by, id_) for id_ in COLOURS}
+        compared = {f"compare_{id_}": partial(self._compare, id_) for id_ in COMPARED}
         return (
             looks
             | colours
+            | compared
             | self.tabs.handlers()
             | {
                 "smooth_shading": partial(self._set, "smooth_shading", "Shading"),
                 "edges": partial(self._set, "edges", "Edges"),
                 "link": partial(self._set, "linked", "Link cameras"),
-                "reset_view": partial(self.cameras.look_from, "Oblique"),
+                "reset_view": partial(self.cameras.look_from, OBLIQUE),
                 "copy_camera": self.cameras.copy,
                 "paste_camera": self.cameras.paste,
                 "save_camera": self.cameras.ask_for_name,
+                "restore_camera": self.cameras.ask_which_to_restore,
+                "forget_camera": self.cameras.ask_which_to_forget,
                 "difference": lambda on: self._colour_by(_HEAT_MAP if on else "none"),
                 "colour_bar": lambda: ColourBarDialog.open_for(self._window),
                 "figure": lambda: MontageDialog.open_for(self._window),
@@ -71,10 +73,9 @@ class ViewCommands(QObject):
         self._book = book
         self.shortcuts = Shortcuts(book)
         self.tabs.attach(book)
-        self._compare_with = book.menu("View/Co&mpare Panes").addMenu("&With")
-        self._compare_group = QActionGroup(self._compare_with)
         window.denoise.viewport.bar_opened.connect(book["colour_bar"].trigger)
         self._camera_menu = book.menu("View/&Cameras")
+        self._first_camera = len(self._camera_menu.actions())
         window.session.study_changed.connect(lambda *_: self.refresh())
         window.session.meshes_changed.connect(self.refresh)
         self.refresh()
@@ -82,28 +83,16 @@ class ViewCommands(QObject):
     def refresh(self) -> None:
         """Show the study in the menus."""
         view = self._window.session.study.view
-        self._fill_compare_with()
-        self.cameras.fill(self._camera_menu, first=1)
+        self.cameras.fill(self._camera_menu, first=self._first_camera)
         for command, on in (
             ("smooth_shading", view.smooth_shading),
             ("edges", view.edges),
             ("link", view.linked),
             ("difference", view.colour == _HEAT_MAP),
             (f"colour_{view.colour}", True),
+            (f"compare_{view.compare_with}", True),
         ):
             self._book.check(command, on)
-
-    def _fill_compare_with(self) -> None:
-        """Offer every pane as the one to compare with."""
-        menu: QMenu = self._compare_with
-        menu.clear()
-        chosen = self._window.session.study.view.compare_with
-        for pane in self._window.denoise.panes()[0]:
-            action = menu.addAction(pane.title)
-            action.setCheckable(True)
-            action.setChecked(pane.id == chosen)
-            self._compare_group.addAction(action)
-            action.triggered.connect(lambda *_, id_=pane.id: self._compare(id_))
 
     def _compare(self, pane: str) -> None:
         self._set("compare_with", "Compare with", pane)

@@ -72,8 +72,14 @@ def test_output_folder_gets_pictures_plot_tables_and_meshes(capsys, ball_file, t
 def test_methods_lists_every_parameter(capsys):
     status, out, _ = call(capsys, "methods")
     assert status == 0
-    for text in ("weighted_laplacian", "gradient_scale = 50", "sigma_c = auto", "raw_units"):
+    for text in (
+        "weighted_laplacian",
+        "gradient_scale = 50",
+        "sigma_c = auto",
+        "raw_units = false",
+    ):
         assert text in out
+    assert "True" not in out
 
 
 @pytest.mark.parametrize(

@@ -28,6 +28,12 @@ def test_form_begins_at_the_defaults_and_explains_itself(forms, method):
         assert not form.fields[name].reset.isVisible()
 
 
+def test_a_switch_is_told_in_the_words_of_its_domain(forms):
+    field = forms("weighted_laplacian").fields["clamp_negative"]
+    assert "Allowed: true or false. Default: true." in field.toolTip()
+    assert field.reset.toolTip() == "Back to true"
+
+
 def test_typed_number_is_reported_and_can_be_reset(qtbot, forms, hands):
     form = forms("diffusion")
     field = form.fields["gradient_scale"]

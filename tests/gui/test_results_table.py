@@ -2,6 +2,7 @@
 
 import csv
 import io
+from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import Qt
@@ -94,7 +95,7 @@ def test_copy_by_key_and_menu(qtbot, table):
 
 
 def test_saved_table_can_be_read(table, tmp_path):
-    table.save(tmp_path / "table.csv")
+    table.writer()(tmp_path / "table.csv")
     lines = (tmp_path / "table.csv").read_text(encoding="utf-8").splitlines()
     assert [line.split(",")[0] for line in lines[1:3]] == ["noisy_input", "weighted_laplacian"]
 
@@ -108,3 +109,27 @@ def test_columns_fill_the_table_and_need_no_scroll_bar(qtbot, table, width):
     for place in range(1, 8):
         needed = max(table.view.sizeHintForColumn(place), columns.sectionSizeHint(place))
         assert columns.sectionSize(place) >= needed
+
+
+def test_names_that_do_not_fit_beside_large_numbers_get_more_lines(qtbot, table):
+    view, columns = table.view, table.view.horizontalHeader()
+    one_line = view.rowHeight(0)
+    assert all(view.rowHeight(row) == one_line for row in range(6))
+    rows = table.model.rows
+    wild = dict.fromkeys(rows[1].errors, 1.23e15)
+    noted = [
+        replace(row, errors=wild, best_error=1.23e15, milliseconds=123.4, note="diverged")
+        for row in rows[1:]
+    ]
+    table.model.show((rows[0], *noted))
+    view.fit_columns()
+    assert view.sizeHintForColumn(0) > columns.sectionSize(0)
+    metrics = view.fontMetrics()
+    room = columns.sectionSize(0) - view.iconSize().width() - 14
+    for row, data in enumerate(table.model.rows):
+        assert all(metrics.horizontalAdvance(word) <= room for word in data.title.split())
+        assert view.rowHeight(row) >= view.sizeHintForRow(row)
+    assert view.rowHeight(1) >= 2 * metrics.height() > one_line
+    table.model.show(rows)
+    view.fit_columns()
+    assert view.rowHeight(1) == one_line

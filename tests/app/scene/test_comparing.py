@@ -47,7 +47,7 @@ def test_a_swapped_pane_shows_the_other_under_its_own_id():
 @pytest.mark.parametrize("aspect", [0.5, 2.0])
 def test_the_cutting_plane_is_seen_as_the_vertical_line(share, aspect):
     camera = pv.Camera()
-    preset_pose("Oblique", 1.0).apply(camera)
+    preset_pose("Oblique", np.eye(3), 1.0).apply(camera)
     camera.SetClippingRange(0.1, 10)
     normal = cutting_normal(camera, share, aspect)
     eye = np.array(camera.GetPosition())

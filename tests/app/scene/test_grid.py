@@ -8,6 +8,7 @@ import pytest
 import pyvista as pv
 
 from app.export.pictures import prefer_headless_graphics
+from app.scene.caption import parted, text_width
 from app.scene.grid import CAPACITY, GRID_SHAPE, PaneGrid
 from app.scene.panes import Look, Pane
 from core.mesh import primitives
@@ -77,3 +78,21 @@ def test_linking_takes_the_leaders_view(grid):
     assert grid.poses()[0] == before
     grid.link(True, "p1")
     assert set(grid.poses()) == {leader}
+
+
+def test_a_caption_takes_a_second_line_before_its_letters_shrink():
+    text = "σ = 0.02 ℓ̄   D = 0.000609"
+    wide, narrow = text_width(text, 12) + 1, text_width(text, 12) - 1
+    assert parted(text, 12, wide) == text
+    assert parted(text, 12, narrow) == "σ = 0.02 ℓ̄\nD = 0.000609"
+    longest = "diverged at iteration 12   k = 11   D = 3.1"
+    assert parted(longest, 12, text_width("diverged at iteration 12", 12) + 1) == (
+        "diverged at iteration 12\nk = 11   D = 3.1"
+    )
+
+
+def test_the_noisy_caption_keeps_its_size_beside_the_colour_bar(grid):
+    caption = "σ = 0.02 ℓ̄   D = 0.000609"
+    shown = [Pane(f"p{i}", "Noisy input", caption, "#009e73", POINTS) for i in range(8)]
+    grid.show(shown, Look(BALL.faces, colour_title="Distance"), (720, 440))
+    assert {line._caption.prop.font_size for line in grid._captions[:8]} == {12}

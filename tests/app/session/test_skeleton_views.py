@@ -194,3 +194,43 @@ def test_the_settings_are_part_of_the_study_file():
     view = SkeletonView(source="noisy", keep=0.5, field="mixture", params={"weight": 0.3})
     study = Study(skeleton=SkeletonSettings(views=(view, SkeletonView()), show_shells=True))
     assert Study.model_validate_json(study.model_dump_json()) == study
+
+
+def test_what_was_cancelled_is_told_and_drawn_on_request(awake):
+    awake.change(1, resolution=30)
+    assert not awake.views.is_cancelled(1)
+    awake.session.cancel()
+    awake.settle()
+    assert awake.views.is_cancelled(1)
+    assert awake.views.skeleton(1).view.resolution == 22
+    awake.views.resume(1)
+    assert not awake.views.is_cancelled(1)
+    awake.settle()
+    assert awake.views.skeleton(1).view.resolution == 30
+
+
+def test_what_was_cancelled_is_not_begun_again_by_itself(awake):
+    awake.change(1, resolution=30)
+    awake.session.cancel()
+    awake.change(0, resolution=9)
+    awake.settle()
+    assert awake.views.skeleton(0).view.resolution == 9
+    assert awake.views.skeleton(1).view.resolution == 22
+    assert awake.views.is_cancelled(1)
+
+
+@pytest.mark.parametrize("resolution", [22, 31])
+def test_another_resolution_ends_a_cancellation(awake, resolution):
+    awake.change(1, resolution=30)
+    awake.session.cancel()
+    awake.change(1, resolution=resolution)
+    assert not awake.views.is_cancelled(1)
+    awake.settle()
+    assert awake.views.skeleton(1).view.resolution == resolution
+
+
+def test_what_was_drawn_already_is_not_called_cancelled(awake):
+    awake.change(1, resolution=30)
+    awake.change(1, resolution=22)
+    awake.session.cancel()
+    assert not awake.views.is_cancelled(1)

@@ -77,8 +77,11 @@ def test_the_sheet_of_shortcuts_is_searched_by_name_and_key(user, qtbot):
     qtbot.keyClicks(sheet.table.search, "ctrl+z")
     shown = [c.id for c in COMMANDS if not sheet.table.items[c.id].isHidden()]
     assert shown == ["undo"]
-    sheet.table.search.setText("swipe")
-    assert not sheet.table.items["swipe"].isHidden()
+    for word, command in (
+        ("swipe", "swipe"), ("noisy input", "compare_noisy"), ("restore camera", "restore_camera"),
+    ):  # fmt: skip
+        sheet.table.search.setText(word)
+        assert not sheet.table.items[command].isHidden()
     sheet.close()
 
 
@@ -155,6 +158,36 @@ def test_a_camera_is_saved_by_name_with_the_study(user, ball_file, qtbot):
     assert "My side" not in [a.text() for a in menu.actions()]
 
 
+def choose_camera(user, title, name):
+    dialogs = [d for d in user.window.findChildren(QInputDialog) if d.isVisible()]
+    assert [d.windowTitle() for d in dialogs] == [title]
+    dialogs[0].setTextValue(name)
+    dialogs[0].accept()
+
+
+def test_saved_cameras_are_restored_and_forgotten_by_commands(user, ball_file, qtbot):
+    user.open(ball_file)
+    book, viewport = user.window.actions_, user.denoise.viewport
+    assert "No camera has been saved" in book["restore_camera"].toolTip()
+    poses = {}
+    for name, key in (("Side", Qt.Key.Key_6), ("Above", Qt.Key.Key_3)):
+        user.press(key)
+        poses[name] = viewport.pose
+        user.press(Qt.Key.Key_S, CONTROL | ALT)
+        choose_camera(user, "Save the camera", name)
+    user.press(Qt.Key.Key_R, CONTROL | ALT)
+    choose_camera(user, "Restore a camera", "Side")
+    assert np.array(viewport.pose) == pytest.approx(np.array(poses["Side"]))
+    dialog = palette(user)
+    qtbot.keyClicks(dialog.line, "above")
+    assert dialog.model.entries[0].path == "View › Cameras › Above"
+    qtbot.keyClick(dialog.line, Qt.Key.Key_Return)
+    assert np.array(viewport.pose) == pytest.approx(np.array(poses["Above"]))
+    book["forget_camera"].trigger()
+    choose_camera(user, "Forget a camera", "Side")
+    assert [camera.name for camera in user.window.session.study.view.cameras] == ["Above"]
+
+
 def test_the_empty_window_tells_what_to_do(user):
     panel = user.window.empty_panel
     assert panel.isVisible()
@@ -222,7 +255,7 @@ def test_text_in_the_panes_is_scaled_once(user, ball_file):
 def test_every_entry_but_those_of_the_study_and_the_files_is_declared(user, ball_file):
     user.open(ball_file)
     declared = {command.id for command in COMMANDS}
-    changing = {"With", "Cameras", "Forget", "Open Recent"}
+    changing = {"Cameras", "Open Recent"}
     for entry in entries(user.window):
         assert entry.action.objectName() in declared or changing & set(entry.menus), entry.path
 

@@ -30,14 +30,24 @@ def test_the_key_shows_the_original_while_it_is_held(user, ball_file, qtbot):
 def test_the_pane_to_compare_with_can_be_chosen_and_undone(user, ball_file, qtbot):
     user.open(ball_file)
     user.click_pane("mean")
-    menu = user.window.actions_.menu("View/Co&mpare Panes")
-    choices = {a.text(): a for a in menu.actions()[-1].menu().actions()}
-    choices["Noisy input"].trigger()
+    book = user.window.actions_
+    book["compare_noisy"].trigger()
+    assert book["compare_noisy"].isChecked()
     qtbot.keyPress(user.window, Qt.Key.Key_X)
     assert titles(user)["mean"] == "Noisy input"
     qtbot.keyRelease(user.window, Qt.Key.Key_X)
     user.press(Qt.Key.Key_Z, CONTROL)
     assert user.window.session.study.view.compare_with == "original"
+
+
+def test_only_panes_that_are_shown_are_compared_with(user, ball_file):
+    user.open(ball_file)
+    book = user.window.actions_
+    assert book["compare_mean"].isEnabled()
+    assert "is not checked on the Denoise tab" in book["compare_laplacian"].toolTip()
+    assert not book["compare_laplacian"].isEnabled()
+    user.window.tabs.setCurrentIndex(1)
+    assert not book["compare_mean"].isEnabled()
 
 
 def test_from_the_menu_the_flicker_stays_until_it_is_chosen_again(user, ball_file):

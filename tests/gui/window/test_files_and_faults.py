@@ -2,6 +2,7 @@
 
 import logging
 import threading
+import time
 from urllib.error import URLError
 
 import pytest
@@ -80,7 +81,7 @@ def test_the_gallery_downloads_beside_the_window(user, ball_file, tmp_path, monk
     begun, go_on = threading.Event(), threading.Event()
     (tmp_path / "cow.ply").write_bytes(ball_file.read_bytes())
 
-    def download(example):
+    def download(example, meter):
         begun.set()
         go_on.wait(20)
         return str(tmp_path / f"{example}.ply")
@@ -97,15 +98,15 @@ def test_the_gallery_downloads_beside_the_window(user, ball_file, tmp_path, monk
 
 
 def test_without_a_network_the_gallery_says_so_and_goes_on(user, ball_file, monkeypatch):
-    from pyvista import examples
+    from pyvista.examples.downloads import FETCHER
 
     class ConnectionError(OSError):
         pass
 
-    def fail(load):
+    def fail(file, downloader):
         raise ConnectionError("Max retries exceeded")
 
-    monkeypatch.setattr(examples, "download_cow", fail)
+    monkeypatch.setattr(FETCHER, "fetch", fail)
     user.open(ball_file)
     dialog = gallery(user)
     item = dialog.examples.findItems("Cow", Qt.MatchFlag.MatchExactly)[0]
@@ -116,10 +117,19 @@ def test_without_a_network_the_gallery_says_so_and_goes_on(user, ball_file, monk
     assert button(dialog, "Open").isEnabled()
 
 
-def test_every_example_is_one_of_pyvistas():
+@pytest.mark.parametrize("example", downloads.EXAMPLES)
+def test_every_example_is_the_file_that_pyvista_downloads(example, monkeypatch):
     from pyvista import examples
 
-    assert [e for e in downloads.EXAMPLES if not hasattr(examples, f"download_{e}")] == []
+    fetched = []
+
+    def fetch(file, **_):
+        fetched.append(file)
+        return __file__
+
+    monkeypatch.setattr(examples.downloads.FETCHER, "fetch", fetch)
+    getattr(examples, f"download_{example}")(load=False)
+    assert fetched == [downloads.EXAMPLES[example].file]
 
 
 def test_the_memory_budget_is_a_preference_and_is_kept(user, ball_file):
@@ -304,14 +314,14 @@ def test_a_name_with_an_ampersand_stands_in_the_undo_step_as_it_is(user, ball_fi
     ],
 )
 def test_every_kind_of_failed_download_is_one_sentence(monkeypatch, error, words):
-    from pyvista import examples
+    from pyvista.examples.downloads import FETCHER
 
-    def fail(load):
+    def fail(file, downloader):
         raise error
 
-    monkeypatch.setattr(examples, "download_cow", fail)
+    monkeypatch.setattr(FETCHER, "fetch", fail)
     with pytest.raises(downloads.DownloadError, match=words):
-        downloads.download("cow")
+        downloads.download("cow", downloads.Meter())
 
 
 def test_a_download_that_was_cancelled_opens_nothing(user, ball_file, tmp_path, monkeypatch):
@@ -319,7 +329,7 @@ def test_a_download_that_was_cancelled_opens_nothing(user, ball_file, tmp_path, 
     begun, go_on = threading.Event(), threading.Event()
     (tmp_path / "cow.ply").write_bytes(ball_file.read_bytes())
 
-    def download(example):
+    def download(example, meter):
         begun.set()
         go_on.wait(20)
         return str(tmp_path / f"{example}.ply")
@@ -335,4 +345,30 @@ def test_a_download_that_was_cancelled_opens_nothing(user, ball_file, tmp_path, 
     go_on.set()
     user.wait(lambda: "Downloaded to" in user.window.statusBar().currentMessage())
     assert user.window.windowTitle().startswith("ball.ply")
+    dialog.close()
+
+
+def test_cancel_in_the_window_stops_the_transfer(user, ball_file, monkeypatch):
+    user.open(ball_file)
+    begun, outcome = threading.Event(), []
+
+    def download(example, meter):
+        begun.set()
+        try:
+            while True:
+                meter.update(1)
+                time.sleep(0.01)
+        except downloads.DownloadCancelledError as error:
+            outcome.append(error)
+            raise
+
+    monkeypatch.setattr(downloads, "download", download)
+    dialog = gallery(user)
+    item = dialog.examples.findItems("Cow", Qt.MatchFlag.MatchExactly)[0]
+    dialog.examples.itemActivated.emit(item)
+    user.wait(begun.is_set)
+    user.window.session.cancel()
+    user.wait(lambda: outcome)
+    assert dialog.message.text() == "The download was cancelled."
+    assert dialog.examples.isEnabled()
     dialog.close()

@@ -280,7 +280,8 @@ def test_the_window_picture_has_the_panes_drawn_at_full_size(user, ball_file):
     from app.ui import saving
 
     user.open(ball_file)
-    image = saving.window_image(user.window, 2)
+    picture = saving.WindowPicture(user.window, 2)
+    image = picture.image(picture.pieces)
     assert image.width() == 2 * user.window.width()
     viewport = user.denoise.viewport
     place = viewport.mapTo(user.window, user.middle_of("original")) * 2

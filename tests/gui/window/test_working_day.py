@@ -91,7 +91,6 @@ class Day:
         self.qtbot.mouseClick(dialog.save_button, LEFT)
         self.user.answer_file_dialog(file)
         self.user.wait(file.exists)
-        dialog.close()
         self.come_back()
         return imread(file)
 
