@@ -148,10 +148,11 @@ def _eigenvalues(
     steps: Callable[..., Iterator[Found]], matrix: "csr_array", *arguments: object
 ) -> Iterator[Progress[FloatArray]]:
     """Compute eigenvalues, those of a large matrix in a process of its own."""
-    apart, share = matrix.shape[0] > _SMALL, 0.0
+    apart = matrix.shape[0] > _SMALL
+    value, share = None, 0.0
     with refusals():
         for found in run_apart(steps, matrix, *arguments) if apart else steps(matrix, *arguments):
-            value, share = found or (None, share)
+            value, share = found or (value, share)
             yield Progress(value, share)
 
 

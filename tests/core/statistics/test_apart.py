@@ -50,6 +50,18 @@ def test_spectrum(everything_apart, ball, matrix, dense_limit):
         assert np.allclose(getattr(here, name), getattr(apart, name), atol=1e-9)
 
 
+def test_a_process_that_is_slow_to_end_loses_no_result(everything_apart, monkeypatch, ball):
+    def slow(steps, *arguments):
+        for found in steps(*arguments):
+            yield from (None, found, None)
+
+    everything_apart(True)
+    params = SpectrumParams(dense_limit=0)
+    plain = finished(spectrum_steps(ball, params))
+    monkeypatch.setattr(spectrum, "run_apart", slow)
+    assert np.allclose(finished(spectrum_steps(ball, params)).largest, plain.largest)
+
+
 @pytest.mark.parametrize("apart", [False, True])
 def test_a_refusal_is_the_same_sentence(everything_apart, apart):
     everything_apart(apart)
