@@ -37,16 +37,24 @@ for turn in (0, 1):
     whole.append(path.read_bytes())
 rng = random.Random(5)
 seen = set()
-for round in range(rounds):
+round = 0
+# Where other work keeps the processes waiting, it takes more rounds until both were seen.
+while round < rounds or len(seen) < 2:
+    round += 1
+    begun, begin = os.pipe()
     child = os.fork()
     if not child:
+        os.write(begin, b"!")
         turn = round
         while True:
             turn += 1
             write(path, turn % 2)
+    os.read(begun, 1)
     time.sleep(rng.uniform(0, 4 * seconds))
     os.kill(child, signal.SIGKILL)
     os.waitpid(child, 0)
+    os.close(begun)
+    os.close(begin)
     content = path.read_bytes()
     if content not in whole:
         sys.exit(f"half a file of {len(content)} bytes after round {round}")
