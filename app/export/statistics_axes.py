@@ -18,6 +18,7 @@ from core.statistics import AxisLabels, Histogram
 _MARGINAL = 0.24
 _WIDE_DEGREES = 60
 _AXES_SHARE = 0.75
+_WORDS_SHARE = 0.5
 _BELOW_NUMBERS = 18.0
 
 
@@ -102,6 +103,19 @@ def add_legend(axes: Axes, series: Sequence[Series], theme: Theme) -> None:
         framealpha=0.85,
     )
     legend.set_zorder(9)
+
+
+def say_refusals(axes: Axes, plot: str, series: Sequence[Series], theme: Theme) -> None:
+    """Say within the axes why models have no curve there."""
+    sentences = [f"{one.name}: {one.refusals[plot]}" for one in series if plot in one.refusals]
+    figure = axes.figure
+    dots = figure.get_figure(root=True).dpi
+    room = _WORDS_SHARE * figure.get_window_extent().width / dots * INCH
+    lines = wrapped("\n".join(sentences), room, FONT_SIZE)
+    axes.text(
+        0.5, 0.5, "\n".join(lines), transform=axes.transAxes, ha="center", va="center",
+        fontsize=FONT_SIZE, color=theme.ink,
+    )  # fmt: skip
 
 
 def spread_over_ranks(ranks: np.ndarray, values: np.ndarray, bins: int) -> Histogram:

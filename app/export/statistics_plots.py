@@ -18,6 +18,7 @@ from app.export.statistics_axes import (
     draw_beside,
     main_axes,
     marginal_axes,
+    say_refusals,
     spread_over_ranks,
 )
 from app.export.statistics_series import Series
@@ -97,6 +98,7 @@ def _draw_spectrum(figure: FigureBase, series: Sequence[Series], theme: Theme) -
         if one.spectrum:
             _draw_eigenvalues(axes, beside, one.spectrum, one)
     axes.set_ylim(bottom=0)
+    say_refusals(axes, "spectrum", series, theme)
     add_legend(axes, series, theme)
     return axes
 
@@ -163,6 +165,7 @@ def _draw_geodesic(figure: FigureBase, series: Sequence[Series], theme: Theme) -
     axes.set_ylim(bottom=0)
     axes.ticklabel_format(axis="y", scilimits=(-3, 4), useMathText=True)
     axes.yaxis.get_offset_text().set(color=theme.ink, fontsize=FONT_SIZE)
+    say_refusals(axes, "geodesic", series, theme)
     add_legend(axes, series, theme)
     return axes
 

@@ -20,9 +20,12 @@ def statistics_json(name: str, statistics: MeshStatistics) -> dict[str, Any]:
         "assortativity_coefficient": _number(statistics.connectivity.assortativity_coefficient),
         "clustering": dict(statistics.clustering),
         "average_clustering": float(statistics.connectivity.clustering.mean()),
-        "spectrum": _spectrum_json(statistics.spectrum),
-        "normalized_spectrum": _spectrum_json(statistics.normalized_spectrum),
-        "geodesic": _geodesic_json(statistics.geodesic),
+        "spectrum": statistics.spectrum and _spectrum_json(statistics.spectrum),
+        "normalized_spectrum": (
+            statistics.normalized_spectrum and _spectrum_json(statistics.normalized_spectrum)
+        ),
+        "geodesic": statistics.geodesic and _geodesic_json(statistics.geodesic),
+        "refusals": dict(statistics.refusals),
     }
 
 
@@ -32,7 +35,8 @@ def statistics_text(name: str, statistics: MeshStatistics) -> str:
     words = [f"{spec.title}: {plot_words(spec.id, series)}" for spec in PLOTS.values()]
     facts = summary_rows(statistics.summary)
     width = max(len(label) for label, _ in facts)
-    return "\n".join([name, *(f"  {label:{width}}  {value}" for label, value in facts), *words])
+    rows = [f"  {label:{width}}  {value}" for label, value in facts]
+    return "\n".join([name, *rows, *words, *_normalized_refusal(statistics)])
 
 
 def summary_rows(summary: Summary) -> list[tuple[str, str]]:
@@ -59,6 +63,12 @@ def summary_rows(summary: Summary) -> list[tuple[str, str]]:
         ("non-manifold edges", f"{s.nonmanifold_edges:,}"),
         ("non-manifold vertices", f"{s.nonmanifold_vertices:,}"),
     ]
+
+
+def _normalized_refusal(statistics: MeshStatistics) -> list[str]:
+    """Name what has no plot of its own."""
+    refused = statistics.refusals.get("normalized_spectrum")
+    return [f"Spectrum of the normalised Laplacian: {refused}"] if refused else []
 
 
 def _spectrum_json(spectrum: Spectrum) -> dict[str, Any]:

@@ -1,6 +1,7 @@
 """The statistics of one model as the plots and tables want them, whole or half computed."""
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -36,11 +37,13 @@ class Series:
     degree, assortativity, clustering : ByDegree
         p_k, K_nn(k) and C(k).
     spectrum : Spectrum or None
-        None while it is not there yet.
+        None while it is not there yet, or was refused.
     geodesic : GeodesicDistances or None
-        None while it is not there yet.
+        None while it is not there yet, or was refused.
     relative : bool
         Whether distances are shown as shares of the longest instead of in ℓ̄.
+    refusals : mapping of str to str
+        Why ``spectrum`` or ``geodesic`` will not be there.
     """
 
     name: str
@@ -52,6 +55,7 @@ class Series:
     spectrum: Spectrum | None = None
     geodesic: GeodesicDistances | None = None
     relative: bool = False
+    refusals: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def line(self) -> dict[str, Any]:
@@ -97,4 +101,5 @@ class Series:
             statistics.clustering,
             statistics.spectrum,
             statistics.geodesic,
+            refusals=statistics.refusals,
         )

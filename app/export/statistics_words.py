@@ -12,7 +12,8 @@ _NEUTRAL = 0.03
 
 def plot_words(plot: str, series: Sequence[Series]) -> str:
     """Say what a plot shows; the numbers of two models stand side by side."""
-    return _WORDS[plot](series) if series else ""
+    refused = [f"{one.name}: {one.refusals[plot]}" for one in series if plot in one.refusals]
+    return " ".join([_WORDS[plot](series), *refused]) if series else ""
 
 
 def vertex_words(series: Series, vertex: int, distances: FloatArray | None) -> str:

@@ -130,7 +130,7 @@ class StatisticsPlot(Cell):
         """Objects that the plot is made of: equal ones make the same plot."""
         parts = [(one.connectivity, one.spectrum, one.geodesic) for one in series]
         chosen = {"spectrum": 1, "geodesic": 2}.get(self.id, 0)
-        names = [(one.name, one.colour, one.relative) for one in series]
+        names = [(one.name, one.colour, one.relative, one.refusals.get(self.id)) for one in series]
         return [*names, *(id(part[chosen]) for part in parts)]
 
     def _redraw(self) -> None:

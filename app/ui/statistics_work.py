@@ -15,6 +15,7 @@ from core.statistics import (
     GeodesicParams,
     Progress,
     SpectrumParams,
+    StatisticsError,
     Summary,
     connectivity,
     geodesic_steps,
@@ -107,6 +108,7 @@ class StatisticsWork:
         self._results: OrderedDict[tuple[Any, ...], tuple[_Task, Any, float]] = OrderedDict()
         self._running: dict[tuple[Any, ...], Job] = {}
         self._given_up: dict[tuple[Any, ...], _Task] = {}
+        self._refused: dict[tuple[Any, ...], str] = {}
 
     def show(self, models: tuple[Model, ...]) -> None:
         """Show other models."""
@@ -130,6 +132,7 @@ class StatisticsWork:
         """Start what is missing and stop what is no longer wanted; `again` what was cancelled."""
         if again:
             self._given_up.clear()
+            self._refused.clear()
         wanted = {task.key: task for task in self._tasks()}
         for key, job in self._running.items():
             if key not in wanted:
@@ -161,11 +164,10 @@ class StatisticsWork:
             if known is None:
                 break
             one = Series.of_vertices(model.name, SERIES_COLOURS[place], known[0])
-            spectrum = self._value(_Task("spectrum", model.mesh, self.spectrum))
-            distances = self._value(_Task("geodesic", model.mesh, self.geodesic))
-            found.append(
-                replace(one, spectrum=spectrum, geodesic=distances, relative=self.relative)
-            )
+            slow = self._slow_tasks(model)
+            values = {task.kind: self._value(task) for task in slow}
+            refused = {t.kind: self._refused[t.key] for t in slow if t.key in self._refused}
+            found.append(replace(one, **values, relative=self.relative, refusals=refused))
         return found
 
     def summaries(self) -> list[Summary]:
@@ -185,9 +187,15 @@ class StatisticsWork:
         tasks = [_Task("vertices", model.mesh) for model in self.models]
         picked = self._picked_task()
         tasks += [picked] if picked else []
-        tasks += [_Task("spectrum", model.mesh, self.spectrum) for model in self.models]
-        tasks += [_Task("geodesic", model.mesh, self.geodesic) for model in self.models]
+        for model in self.models:
+            tasks += self._slow_tasks(model)
         return tasks
+
+    def _slow_tasks(self, model: Model) -> list[_Task]:
+        return [
+            _Task("spectrum", model.mesh, self.spectrum),
+            _Task("geodesic", model.mesh, self.geodesic),
+        ]
 
     def _picked_task(self) -> _Task | None:
         if self.picked is None or self.picked[0] >= len(self.models):
@@ -205,6 +213,8 @@ class StatisticsWork:
 
         def failed(error: Exception) -> None:
             self._given_up[key] = task
+            if isinstance(error, StatisticsError):
+                self._refused[key] = str(error)
             self._report(error)
 
         def give_up() -> None:

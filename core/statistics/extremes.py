@@ -25,9 +25,14 @@ Solve = Callable[[FloatArray], FloatArray]
 _SHIFT = 1e-4
 _ROUGH = 1e-3
 _FACTORISED = 0.4
-# Meshes need a few dozen. Where one vertex has thousands of neighbours its eigenvalue stands so far
-# from all others that they cannot be told apart beside it; without an end that takes for ever.
-_MOST_RESTARTS = 300
+# Meshes need a dozen restarts. Where eigenvalues are far closer to each other than to the shift,
+# as on a long strip or around a vertex of thousands of neighbours, more restarts do not help: the
+# shift has to come closer.
+_RESTARTS, _SHIFTS, _CLOSER = 20, 12, 2e-2
+_NO_CONVERGENCE = (
+    "The extreme eigenvalues do not converge on this mesh; a vertex with very many neighbours is "
+    "the usual reason."
+)
 
 
 def all_steps(matrix: "csr_array") -> Iterator[Found]:
@@ -46,15 +51,12 @@ def largest_steps(matrix: "csr_array", count: int) -> Iterator[Found]:
     ValueError
         If the Lanczos method does not converge.
     """
-    start = _start(matrix)
     with _convergence():
         rough = scipy.sparse.linalg.eigsh(
-            matrix, 1, which="LA", v0=start, tol=_ROUGH, return_eigenvectors=False
+            matrix, 1, which="LA", v0=_start(matrix), tol=_ROUGH, return_eigenvectors=False
         )
         beyond = float(rough[0]) * (1 + 2 * _ROUGH) + _SHIFT
-        solve = _solver(matrix, beyond)
-        yield None, _FACTORISED
-        yield _nearest(matrix, count, beyond, solve, start), 1.0
+        yield from _outermost(matrix, count, beyond)
 
 
 def smallest_steps(
@@ -86,17 +88,44 @@ def smallest_steps(
     if zeros == count:
         yield np.zeros(count), 1.0
         return
-    kernel = _Kernel.of(components, weights)
-    solve = _solver(matrix, -_SHIFT)
-    yield None, _FACTORISED
-
-    def solve_beside(x: FloatArray) -> FloatArray:
-        return kernel.project_out(solve(kernel.project_out(x)))
-
     with _convergence():
-        start = kernel.project_out(_start(matrix))
-        positive = _nearest(matrix, count - zeros, -_SHIFT, solve_beside, start)
-    yield np.concatenate([np.zeros(zeros), positive]), 1.0
+        kernel = _Kernel.of(components, weights)
+        for values, share in _outermost(-matrix, count - zeros, _SHIFT, kernel):
+            found = None if values is None else np.concatenate([np.zeros(zeros), -values[::-1]])
+            yield found, share
+
+
+def _outermost(
+    matrix: "csr_array", count: int, shift: float, kernel: "_Kernel | None" = None
+) -> Iterator[Found]:
+    """Find the `count` largest eigenvalues, ascending, from a shift just beyond them.
+
+    Where the method does not converge, the shift moves to just beyond the first eigenvalue that
+    is missing. It may pass some on its way; how many is known from the factors, and these are
+    found from where the shift was before.
+    """
+    found: list[FloatArray] = []
+    place = _Place.at(matrix, shift, kernel)
+    while place.passed:  # the rough value was not the largest one's
+        place = _Place.at(matrix, 2 * place.shift, kernel)
+    for _ in range(_SHIFTS):
+        yield None, _FACTORISED
+        try:
+            found.append(place.nearest(count - place.passed))
+            break
+        except scipy.sparse.linalg.ArpackNoConvergence as error:
+            known = len(error.eigenvalues)
+            closer = place.closer(known)
+        if closer.passed - place.passed > known:  # copies of one eigenvalue were overlooked
+            closer = place.closer(0)
+        if closer.passed > place.passed:
+            found.append(place.nearest(min(closer.passed, count) - place.passed))
+        if closer.passed >= count:
+            break
+        place = closer
+    else:
+        raise ValueError(_NO_CONVERGENCE)
+    yield np.concatenate(found[::-1]), 1.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,42 +147,80 @@ class _Kernel:
         return rest
 
 
+@dataclass(frozen=True, eq=False)
+class _Place:
+    """A shift σ and the factors of A − σ·I.
+
+    Attributes
+    ----------
+    matrix : csr_array
+        The symmetric matrix A.
+    shift : float
+        σ.
+    kernel : _Kernel or None
+        Eigenvectors that are left out.
+    solve : callable
+        Multiplies by the inverse of A − σ·I.
+    passed : int
+        How many eigenvalues are larger than σ.
+    """
+
+    matrix: "csr_array"
+    shift: float
+    kernel: _Kernel | None
+    solve: Solve
+    passed: int
+
+    @classmethod
+    def at(cls, matrix: "csr_array", shift: float, kernel: _Kernel | None) -> "_Place":
+        """Factorise without exchanging rows.
+
+        The signs of the pivots are then those of the eigenvalues of A − σ·I (Sylvester's law of
+        inertia).
+        """
+        shifted = scipy.sparse.csc_array(matrix - shift * scipy.sparse.eye_array(matrix.shape[0]))
+        options = {"SymmetricMode": True}
+        factors = scipy.sparse.linalg.splu(shifted, diag_pivot_thresh=0.0, options=options)
+        larger = int((factors.U.diagonal() > 0).sum())
+        left_out = len(kernel.norms) if kernel and shift < 0 else 0
+        return cls(matrix, shift, kernel, factors.solve, larger - left_out)
+
+    def nearest(self, count: int, tolerance: float = 0) -> FloatArray:
+        """Return the `count` largest eigenvalues below σ, ascending, by Lanczos on the inverse."""
+        shape = self.matrix.shape
+        values: FloatArray = scipy.sparse.linalg.eigsh(
+            self.matrix,
+            count,
+            sigma=self.shift,
+            which="SA",  # most negative of 1/(λ − σ)
+            OPinv=scipy.sparse.linalg.LinearOperator(shape, self._inverse, dtype=np.float64),
+            v0=self._beside_kernel(_start(self.matrix)),
+            tol=tolerance,
+            maxiter=_RESTARTS,
+            return_eigenvectors=False,
+        )
+        return np.sort(values)
+
+    def closer(self, known: int) -> "_Place":
+        """Move to just beyond the first eigenvalue below σ after some that are known."""
+        missing = float(self.nearest(known + 1, _CLOSER / 2)[0])
+        return _Place.at(self.matrix, missing + _CLOSER * (self.shift - missing), self.kernel)
+
+    def _inverse(self, x: FloatArray) -> FloatArray:
+        return self._beside_kernel(self.solve(self._beside_kernel(x)))
+
+    def _beside_kernel(self, x: FloatArray) -> FloatArray:
+        return self.kernel.project_out(x) if self.kernel else x
+
+
 @contextmanager
 def _convergence() -> Iterator[None]:
     try:
         yield
-    except scipy.sparse.linalg.ArpackNoConvergence as error:
-        raise ValueError(
-            "The extreme eigenvalues do not converge on this mesh; a vertex with very many "
-            "neighbours is the usual reason."
-        ) from error
+    except RuntimeError as error:  # ARPACK's, and SuperLU's where the shift is an eigenvalue
+        raise ValueError(_NO_CONVERGENCE) from error
 
 
 def _start(matrix: "csr_array") -> FloatArray:
     """A fixed start, which makes the last digits the same at every call."""
     return np.random.default_rng(0).standard_normal(matrix.shape[0])
-
-
-def _solver(matrix: "csr_array", shift: float) -> Solve:
-    """Factorise A − shift·I, which is definite, so that no rows need to be exchanged."""
-    shifted = scipy.sparse.csc_array(matrix - shift * scipy.sparse.eye_array(matrix.shape[0]))
-    options = {"SymmetricMode": True}
-    solve: Solve = scipy.sparse.linalg.splu(shifted, diag_pivot_thresh=0.0, options=options).solve
-    return solve
-
-
-def _nearest(
-    matrix: "csr_array", count: int, shift: float, solve: Solve, start: FloatArray
-) -> FloatArray:
-    """Eigenvalues nearest to a shift, ascending, by Lanczos on the inverse."""
-    inverse = scipy.sparse.linalg.LinearOperator(matrix.shape, solve, dtype=np.float64)
-    values: FloatArray = scipy.sparse.linalg.eigsh(
-        matrix,
-        count,
-        sigma=shift,
-        OPinv=inverse,
-        v0=start,
-        maxiter=_MOST_RESTARTS,
-        return_eigenvectors=False,
-    )
-    return np.sort(values)

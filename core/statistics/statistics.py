@@ -1,7 +1,9 @@
 """All statistics of a mesh at once, thesis chapter 3."""
 
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator, Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Any
 
 from core.mesh import TriangleMesh
 from core.statistics.connectivity import Connectivity, connectivity
@@ -30,10 +32,12 @@ class MeshStatistics:
         Degree, average neighbour degree and clustering of every vertex.
     degree, assortativity, clustering : ByDegree
         p_k, K_nn(k) and C(k), read like dictionaries from degree to value.
-    spectrum, normalized_spectrum : Spectrum
-        Eigenvalues of L = D − A and of the normalised Laplacian.
-    geodesic : GeodesicDistances
-        Distribution of the geodesic distances.
+    spectrum, normalized_spectrum : Spectrum or None
+        Eigenvalues of L = D − A and of the normalised Laplacian; None where refused.
+    geodesic : GeodesicDistances or None
+        Distribution of the geodesic distances; None where refused.
+    refusals : mapping of str to str
+        Why a part is None: a sentence, by the name of the part.
     """
 
     summary: Summary
@@ -41,9 +45,10 @@ class MeshStatistics:
     degree: ByDegree
     assortativity: ByDegree
     clustering: ByDegree
-    spectrum: Spectrum
-    normalized_spectrum: Spectrum
-    geodesic: GeodesicDistances
+    spectrum: Spectrum | None
+    normalized_spectrum: Spectrum | None
+    geodesic: GeodesicDistances | None
+    refusals: Mapping[str, str]
 
     @property
     def vertices(self) -> int:
@@ -68,6 +73,8 @@ def statistics_steps(
 ) -> Iterator[Progress[MeshStatistics]]:
     """Compute all statistics of a mesh, step by step, so that whoever iterates may stop.
 
+    A spectrum or distances that a method refuses on this mesh leave the rest as it is.
+
     Parameters
     ----------
     mesh : TriangleMesh
@@ -85,16 +92,19 @@ def statistics_steps(
     Raises
     ------
     StatisticsError
-        If the mesh has no vertices, or one of the methods does not work on it.
+        If the mesh has no vertices.
     """
     if not len(mesh.vertices):
         raise StatisticsError("A mesh without vertices has no statistics.")
     wanted = spectrum or SpectrumParams()
-    spectra: list[Spectrum] = []
-    for part, matrix in enumerate(("laplacian", "normalized_laplacian")):
-        steps = spectrum_steps(mesh, wanted.model_copy(update={"matrix": matrix}))
-        spectra.append((yield from part_of(steps, part / 3, (part + 1) / 3)))
-    distances = yield from part_of(geodesic_steps(mesh, geodesic), 2 / 3, 1.0)
+    plain = wanted.model_copy(update={"matrix": "laplacian"})
+    normalized = wanted.model_copy(update={"matrix": "normalized_laplacian"})
+    parts: dict[str, Iterator[Progress[Any]]] = {
+        "spectrum": spectrum_steps(mesh, plain),
+        "normalized_spectrum": spectrum_steps(mesh, normalized),
+        "geodesic": geodesic_steps(mesh, geodesic),
+    }
+    found, refused = yield from _found(parts)
     vertices = connectivity(mesh)
     yield Progress(
         MeshStatistics(
@@ -103,12 +113,25 @@ def statistics_steps(
             degree=degree_distribution(vertices),
             assortativity=assortativity(vertices),
             clustering=clustering(vertices),
-            spectrum=spectra[0],
-            normalized_spectrum=spectra[1],
-            geodesic=distances,
+            **found,
+            refusals=MappingProxyType(refused),
         ),
         1.0,
     )
+
+
+def _found(
+    parts: Mapping[str, Iterator[Progress[Any]]],
+) -> Generator[Progress[Any], None, tuple[dict[str, Any], dict[str, str]]]:
+    """Carry out one part after another; return the results, and why there are none of some."""
+    found: dict[str, Any] = {}
+    refused: dict[str, str] = {}
+    for place, (name, steps) in enumerate(parts.items()):
+        try:
+            found[name] = yield from part_of(steps, place / len(parts), (place + 1) / len(parts))
+        except StatisticsError as error:
+            found[name], refused[name] = None, str(error)
+    return found, refused
 
 
 def mesh_statistics(
@@ -135,7 +158,7 @@ def mesh_statistics(
     Raises
     ------
     StatisticsError
-        If the mesh has no vertices, or one of the methods does not work on it.
+        If the mesh has no vertices.
 
     Examples
     --------

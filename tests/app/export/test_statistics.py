@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -19,7 +20,7 @@ from app.scene.colours import DARK, LIGHT
 from core import mesh_statistics
 from core.io import SaveError, save_mesh
 from core.mesh import TriangleMesh, primitives
-from core.statistics import SpectrumParams, connectivity
+from core.statistics import Progress, SpectrumParams, StatisticsError, connectivity
 
 BALL = primitives.sphere(2)
 
@@ -70,6 +71,38 @@ def test_text_says_what_a_person_wants_to_know(capsys, ball_file):
     assert status == 0
     for text in ("average degree", "5.9259", "93 % have 6", "Spectrum", "λ₂", "peak"):
         assert text in out
+
+
+def test_what_is_refused_is_said_in_words_beside_all_the_rest(capsys, ball_file, monkeypatch):
+    def refuse(*_):
+        yield Progress(None, 0.0)
+        raise StatisticsError("It does not converge.")
+
+    monkeypatch.setattr("core.statistics.statistics.spectrum_steps", refuse)
+    status, out, err = call(capsys, "stats", ball_file)
+    assert (status, err) == (0, "")
+    assert "Spectrum: Eigenvalues of the Laplacian, largest first. ball" in out
+    assert out.count("It does not converge.") == 2
+    assert "93 % have 6" in out
+    result = json.loads(call(capsys, "stats", ball_file, "--json")[1])
+    assert result["spectrum"] is result["normalized_spectrum"] is None
+    assert set(result["refusals"]) == {"spectrum", "normalized_spectrum"}
+    assert result["geodesic"]["pairs"] == 162 * 161
+
+
+@pytest.mark.parametrize("plot", ["spectrum", "geodesic"])
+def test_a_plot_without_a_curve_says_why_inside_its_axes(ball, plot):
+    reason = "The extreme eigenvalues do not converge on this mesh, which is long and thin."
+    refused = replace(ball, **{plot: None}, refusals={plot: reason})
+    figure = Figure((4, 3), layout="constrained")
+    axes = PLOTS[plot].draw(figure, [refused], LIGHT)
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    (text,) = axes.texts
+    assert text.get_text().replace("\n", " ") == f"ball: {reason}"
+    box, room = text.get_window_extent(canvas.get_renderer()), axes.bbox
+    assert room.x0 <= box.x0 < box.x1 <= room.x1
+    assert reason in plot_words(plot, [refused])
 
 
 def test_folder_gets_figure_plots_tables_and_matrices(capsys, ball_file, tmp_path):

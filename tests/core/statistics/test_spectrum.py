@@ -6,7 +6,9 @@ import pytest
 
 from core import load_mesh
 from core.mesh import TriangleMesh, primitives
+from core.mesh.matrices import normalized_laplacian_matrix
 from core.statistics import SpectrumParams, finished, spectrum_steps
+from core.statistics.extremes import largest_steps
 
 MATRICES = ("laplacian", "normalized_laplacian")
 
@@ -119,3 +121,57 @@ def test_progress_grows_and_can_be_left():
     steps = spectrum_steps(primitives.sphere(3), SpectrumParams(dense_limit=0))
     assert next(steps).value is None
     steps.close()
+
+
+def fan(rim):
+    """A vertex in the middle of a ring of others: the wheel graph."""
+    angle = 2 * np.pi * np.arange(rim) / rim
+    ring = np.stack([np.cos(angle), np.sin(angle), np.zeros(rim)], axis=1)
+    i = np.arange(rim)
+    faces = np.stack([np.zeros(rim, int), 1 + i, 1 + (i + 1) % rim], axis=1)
+    return TriangleMesh(np.concatenate([[[0, 0, 1]], ring]), faces)
+
+
+@pytest.mark.parametrize("matrix", MATRICES)
+def test_a_vertex_with_very_many_neighbours_has_its_closed_form(matrix):
+    """Its eigenvalue is far from all others, and these are closer together than 1e-5."""
+    rim = 1500
+    cosines = np.cos(2 * np.pi * np.arange(1, rim) / rim)
+    waves, two = (
+        (3 - 2 * cosines, [0, rim + 1])
+        if matrix == "laplacian"
+        else (1 - 2 / 3 * cosines, [0, 4 / 3])
+    )
+    exact = np.sort([*waves, *two])
+    result = spectrum(fan(rim), matrix=matrix, dense_limit=0)
+    assert np.allclose(result.largest, exact[-12:], rtol=1e-10, atol=1e-10)
+    assert np.allclose(result.smallest, exact[:12], rtol=0, atol=1e-10)
+
+
+def test_eigenvalues_that_crowd_together_are_told_apart(shared_models):
+    """The dense method finds these; the last two are 1e-7 beyond hundreds that are 1.5."""
+    strip = load_mesh(shared_models / "thin_strip_8231_open.off")
+    *_, (largest, _) = largest_steps(normalized_laplacian_matrix(strip), 12)
+    dense = [
+        1.500000136260,
+        1.500000141433,
+        1.500002873399,
+        1.500002924147,
+        1.500029468483,
+        1.500029653157,
+        1.500049576620,
+        1.500049633103,
+        1.529907005606,
+        1.529907005606,
+        1.529907005606,
+        1.529907005606,
+    ]
+    assert np.allclose(largest, dense, rtol=0, atol=1e-10)
+
+
+@pytest.mark.parametrize("matrix", MATRICES)
+def test_every_copy_of_an_eigenvalue_is_found(matrix):
+    ball = primitives.sphere(2)
+    top = spectrum(ball, matrix=matrix).largest[-1]
+    result = spectrum(joined(*[ball] * 40), matrix=matrix)
+    assert np.allclose(result.largest, top, rtol=0, atol=1e-10)

@@ -10,8 +10,10 @@ from core import load_mesh, mesh_statistics
 from core.mesh import TriangleMesh, primitives
 from core.statistics import (
     GeodesicParams,
+    Progress,
     SpectrumParams,
     StatisticsError,
+    spectrum_steps,
     statistics_steps,
     summarise,
 )
@@ -99,6 +101,23 @@ def test_progress_grows_to_the_end():
     shares = [step.share for step in statistics_steps(primitives.sphere(2))]
     assert shares == sorted(shares)
     assert shares[-1] == 1
+
+
+def test_what_is_refused_leaves_the_rest(monkeypatch):
+    def refuse_one(mesh, params):
+        yield Progress(None, 0.0)
+        if params.matrix == "normalized_laplacian":
+            raise StatisticsError("It does not converge.")
+        yield from spectrum_steps(mesh, params)
+
+    monkeypatch.setattr("core.statistics.statistics.spectrum_steps", refuse_one)
+    *steps, last = statistics_steps(primitives.sphere(1))
+    result = last.value
+    assert result.normalized_spectrum is None
+    assert dict(result.refusals) == {"normalized_spectrum": "It does not converge."}
+    assert result.spectrum.zero_count == 1
+    assert result.geodesic.pairs > 0
+    assert [step.share for step in steps] == sorted(step.share for step in steps)
 
 
 def test_mesh_without_vertices_is_refused():
