@@ -7,6 +7,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from app.ui.controls import FaintLabel
+from app.ui.surfaces import take_own_surface
 from core.io import SUPPORTED_READ, bundled_samples
 from core.study import SAMPLE_PREFIX
 
@@ -28,6 +29,7 @@ class EmptyPanel(QWidget):
         super().__init__(viewport)
         self._window, self._viewport = window, viewport
         self.setAutoFillBackground(True)
+        take_own_surface(self)
         self._choices = QWidget()
         self._loading = QLabel("Loading …", alignment=Qt.AlignmentFlag.AlignCenter)
         self.buttons: dict[str, QPushButton] = {}

@@ -24,6 +24,7 @@ class FigureCanvas(FigureCanvasQTAgg):
     def __init__(self, figure: Figure) -> None:
         self._is_made = self._is_drawn = True
         super().__init__(figure)
+        self.setPalette(QPalette())  # matplotlib's is white in every theme
         self.callbacks.exception_handler = _tell
 
     @property

@@ -1,9 +1,10 @@
 """PyVista's Qt interactor as Burnish wants it: no keys of its own, no drops, no idle drawing."""
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QGuiApplication, QKeyEvent
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QWidget
 from pyvistaqt import QtInteractor
+
+from app.ui.surfaces import take_own_surface
 
 _PLAIN_DPI = 72
 
@@ -23,7 +24,7 @@ class Interactor(QtInteractor):
         # Multisampling makes software OpenGL six times slower and hides translucent meshes under
         # depth peeling; without automatic updates nothing is drawn while nothing changes.
         super().__init__(parent, shape=shape, border=False, multi_samples=0, auto_update=False)
-        self._take_own_surface()
+        take_own_surface(self)
         self.setAcceptDrops(False)
         self.iren.clear_key_event_callbacks()
 
@@ -32,14 +33,6 @@ class Interactor(QtInteractor):
         # Text has its size in pixels, as in a picture; else VTK would enlarge it a second time.
         if self.render_window is not None:
             self.render_window.SetDPI(_PLAIN_DPI)
-
-    def _take_own_surface(self) -> None:
-        # Without it Qt puts the whole window together by OpenGL, pictures and all, whenever any
-        # widget is painted: on software OpenGL 60 ms at 1280 by 800 pixels and 150 ms at 1920 by
-        # 1080, where it takes 2 ms so. X11 alone: other systems move such surfaces on their own.
-        if QGuiApplication.platformName() == "xcb":
-            self.setAttribute(Qt.WidgetAttribute.WA_DontCreateNativeAncestors)
-            self.setAttribute(Qt.WidgetAttribute.WA_NativeWindow)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         event.ignore()

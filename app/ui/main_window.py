@@ -3,13 +3,7 @@
 from pathlib import Path
 
 from PySide6.QtCore import QSettings
-from PySide6.QtGui import (
-    QCloseEvent,
-    QDragEnterEvent,
-    QDropEvent,
-    QGuiApplication,
-    QPalette,
-)
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QGuiApplication, QPalette
 from PySide6.QtWidgets import QMainWindow, QTabWidget
 
 from app.session import Session
@@ -30,6 +24,7 @@ from app.ui.statistics_saving import ask_for_bundle, ask_for_cell, ask_for_table
 from app.ui.statistics_tab import StatisticsTab
 from app.ui.status import StatusBar
 from app.ui.study_files import StudyFiles, dropped_file
+from app.ui.surfaces import Uncovering
 from app.ui.tasks import Poster
 from app.ui.theme import current_theme
 from app.ui.theme_choice import ThemeChoice
@@ -50,6 +45,7 @@ class MainWindow(QMainWindow):
         super().__init__()
         self.setWindowTitle("Burnish")
         self.setAcceptDrops(True)
+        Uncovering(self)
         self.session = Session(Poster(self))
         self.denoise = DenoiseTab(self.session, current_theme())
         self.skeleton = SkeletonTab(self.session, current_theme())

@@ -6,6 +6,7 @@ from matplotlib.artist import Artist
 from matplotlib.backend_bases import DrawEvent, MouseEvent
 from matplotlib.figure import Figure
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QPainter, QPaintEvent
 
 from app.export.chart import ErrorChart, draw_curves, method_of
 from app.export.frame import Frame, draw_frame
@@ -56,6 +57,13 @@ class PlotCanvas(FigureCanvas):
         """Draw the chart; an empty canvas is not worth the time that the window opens later."""
         if self._frame is not None:
             super().draw()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        if self._frame is None:  # Qt leaves the ground of a canvas black
+            painter = QPainter(self)
+            painter.fillRect(self.rect(), self.palette().window())
+            painter.end()
+        super().paintEvent(event)
 
     def _on_draw(self, _: DrawEvent) -> None:
         """Keep the frame, which has just been drawn without the curves, and add them."""

@@ -109,6 +109,7 @@ class TaskList(QFrame):
         rows = {task: self.rows.get(task) or TaskRow(task, self._tasks) for task in known}
         for row in rows.values():
             self._column.addWidget(row)
+            row.show()  # at once: what is hidden does not count when the list is placed
         self.rows = rows
         self._nothing.setVisible(not rows)
         if self.isVisible():

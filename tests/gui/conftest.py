@@ -27,7 +27,17 @@ class Hands:
     def click_check(self, box):
         """Click the square of a check box, not the empty space beside it."""
         place = QPoint(9, box.height() // 2)
-        self._qtbot.mouseClick(box, Qt.MouseButton.LeftButton, pos=place)
+        self.click(box, place)
+
+    def click(self, widget, place=None):
+        """Click a place of a widget, its middle unless another is given."""
+        place = place or widget.rect().center()
+        self._qtbot.mouseClick(widget, Qt.MouseButton.LeftButton, pos=place)
+
+    def choose(self, box, key):
+        """Choose an entry of a combo box as the mouse does."""
+        box.setCurrentIndex(box.findData(key))
+        box.activated.emit(box.currentIndex())
 
 
 @pytest.fixture

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QSettings, Qt
-from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit
+from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit, QPushButton
 
 from core.io import save_mesh
 from core.mesh import primitives
@@ -91,6 +91,11 @@ class User:
 
     def file_dialogs(self):
         return [d for d in self.window.findChildren(QFileDialog) if d.isVisible()]
+
+    def button(self, parent, word):
+        """The button with a word in its text."""
+        found = parent.findChildren(QPushButton)
+        return next(b for b in found if word in b.text().replace("&", ""))
 
     def captions(self):
         """Captions that the panes should have now."""

@@ -44,6 +44,13 @@ def _click(widget):
     QTest.mouseClick(widget, LEFT)
 
 
+def _stands_above(status):
+    """Whether the list is inside the window, above the status bar."""
+    frame = status.list.frameGeometry()
+    is_above = frame.bottom() <= status.mapToGlobal(status.rect().topLeft()).y()
+    return is_above and status.window().frameGeometry().contains(frame)
+
+
 def test_quick_work_is_not_shown(user, ball_file, status, qtbot):
     shown = []
     status.busy_changed.connect(lambda: shown.append(1))
@@ -63,10 +70,18 @@ def test_the_status_bar_sums_up_and_the_list_shows_each(user, status, gate):
     user.wait(status.list.isVisible)
     user.wait(lambda: list(status.list.rows) == jobs)
     assert status.list.rows[jobs[1]].strip.text.startswith("Spectrum of cow: 50 %")
-    # Above the status bar, inside the window.
-    frame, window = status.list.frameGeometry(), user.window.frameGeometry()
-    assert window.contains(frame)
-    assert frame.bottom() <= status.mapToGlobal(status.rect().topLeft()).y()
+    assert _stands_above(status)
+
+
+def test_the_open_list_grows_upwards(user, status, gate):
+    _start(user, gate, "Mean filter")
+    user.wait(status.summary.isVisible)
+    _click(status.summary)
+    _start(user, gate, "Spectrum of cow")
+    user.wait(lambda: len(status.list.rows) == 2)
+    user.wait(lambda: all(row.isVisible() for row in status.list.rows.values()))
+    user.qtbot.wait(50)
+    assert _stands_above(status)
 
 
 def test_one_thing_is_cancelled_in_the_list(user, status, gate):
