@@ -95,7 +95,8 @@ def test_what_keeps_the_lock_is_ended_at_once_and_leaves_nothing(steps):
 
 
 _PARENT = """
-import sys
+import signal, sys
+signal.signal(signal.SIGINT, signal.default_int_handler)  # programs in the background ignore it
 sys.path[:0] = sys.argv[1:]
 import apart_steps
 from core.apart import run_apart
