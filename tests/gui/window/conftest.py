@@ -2,6 +2,7 @@
 
 import gc
 import os
+import threading
 from pathlib import Path
 
 import pytest
@@ -20,6 +21,14 @@ def ball_file(tmp_path):
     path = tmp_path / "ball.ply"
     save_mesh(primitives.sphere(3), path)
     return path
+
+
+@pytest.fixture
+def gate():
+    """Holds up what waits for it until it is set, at the latest at the end of the test."""
+    gate = threading.Event()
+    yield gate
+    gate.set()
 
 
 @pytest.fixture

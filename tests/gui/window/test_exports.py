@@ -22,13 +22,6 @@ SHIFT = Qt.KeyboardModifier.ShiftModifier
 
 
 @pytest.fixture
-def gate():
-    gate = threading.Event()
-    yield gate
-    gate.set()
-
-
-@pytest.fixture
 def folder(tmp_path):
     folder = tmp_path / "out"
     folder.mkdir()

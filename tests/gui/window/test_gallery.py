@@ -32,14 +32,16 @@ def test_the_gallery_opens_a_bundled_model(user, ball_file):
     user.wait(lambda: user.window.windowTitle().startswith("machine_part.ply"))
 
 
-def test_the_gallery_downloads_beside_the_window(user, ball_file, tmp_path, monkeypatch):
+@pytest.fixture
+def held_download(user, ball_file, gate, tmp_path, monkeypatch):
+    """The gallery while it downloads a cow, held up at the gate, beside an open model."""
     user.open(ball_file)
-    begun, go_on = threading.Event(), threading.Event()
+    begun = threading.Event()
     (tmp_path / "cow.ply").write_bytes(ball_file.read_bytes())
 
     def download(example, meter):
         begun.set()
-        go_on.wait(20)
+        gate.wait(20)
         return str(tmp_path / f"{example}.ply")
 
     monkeypatch.setattr(downloads, "download", download)
@@ -47,9 +49,14 @@ def test_the_gallery_downloads_beside_the_window(user, ball_file, tmp_path, monk
     item = dialog.examples.findItems("Cow", Qt.MatchFlag.MatchExactly)[0]
     dialog.examples.itemActivated.emit(item)
     user.wait(begun.is_set)
+    return dialog
+
+
+def test_the_gallery_downloads_beside_the_window(user, held_download, gate):
+    dialog = held_download
     assert dialog.progress.isVisible()
     assert dialog.message.text() == "Downloading Cow …"
-    go_on.set()
+    gate.set()
     user.wait(lambda: user.window.windowTitle().startswith("cow.ply"))
 
 
@@ -107,25 +114,12 @@ def test_every_kind_of_failed_download_is_one_sentence(monkeypatch, error, words
         downloads.download("cow", downloads.Meter())
 
 
-def test_a_download_that_was_cancelled_opens_nothing(user, ball_file, tmp_path, monkeypatch):
-    user.open(ball_file)
-    begun, go_on = threading.Event(), threading.Event()
-    (tmp_path / "cow.ply").write_bytes(ball_file.read_bytes())
-
-    def download(example, meter):
-        begun.set()
-        go_on.wait(20)
-        return str(tmp_path / f"{example}.ply")
-
-    monkeypatch.setattr(downloads, "download", download)
-    dialog = gallery(user)
-    item = dialog.examples.findItems("Cow", Qt.MatchFlag.MatchExactly)[0]
-    dialog.examples.itemActivated.emit(item)
-    user.wait(begun.is_set)
+def test_a_download_that_was_cancelled_opens_nothing(user, held_download, gate):
+    dialog = held_download
     user.window.session.cancel()
     assert dialog.message.text() == "The download was cancelled."
     assert dialog.examples.isEnabled()
-    go_on.set()
+    gate.set()
     user.wait(lambda: "Downloaded to" in user.window.statusBar().currentMessage())
     assert user.window.windowTitle().startswith("ball.ply")
     dialog.close()
