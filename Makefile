@@ -13,8 +13,10 @@ run:
 	@sh .ci/setup run
 	@$(BIN)/burnish $(MODEL)
 
+# A process that crashes ends the run: pytest-xdist waits for ever after a crash in the last test of
+# a file. A test that hangs is ended with the stacks of its threads.
 test: check
-	$(BIN)/pytest -n 2 --dist loadfile
+	$(BIN)/pytest -n 2 --dist loadfile --no-loadscope-reorder --max-worker-restart=0 --timeout=300
 
 check:
 	@sh .ci/setup test

@@ -6,7 +6,13 @@ import pytest
 
 from core.mesh import TriangleMesh, primitives
 
-SHARED_MODELS = Path(__file__).resolve().parents[2] / "shared" / "models"
+TESTS = Path(__file__).resolve().parent
+SHARED_MODELS = TESTS.parents[1] / "shared" / "models"
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Let the windows' tests come first: they are the slowest, and processes shall end together."""
+    items.sort(key=lambda item: not item.path.is_relative_to(TESTS / "gui"))
 
 
 @pytest.fixture(scope="session")

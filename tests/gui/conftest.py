@@ -1,5 +1,7 @@
 """Hands to act with, and a session on a small model to act upon."""
 
+import gc
+
 import pytest
 from PySide6.QtCore import QPoint, Qt
 
@@ -38,6 +40,15 @@ class Hands:
         """Choose an entry of a combo box as the mouse does."""
         box.setCurrentIndex(box.findData(key))
         box.activated.emit(box.currentIndex())
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _modules_are_not_collected():
+    """Keep what the modules hold out of every garbage collection: of a window it is most."""
+    import app.ui.main_window  # noqa: F401
+
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture
