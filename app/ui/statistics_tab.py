@@ -243,6 +243,10 @@ class StatisticsTab(QWidget):
 
     def _pick(self, model: int, vertex: int) -> None:
         """Measure from a vertex, and show it where the model has no other colours."""
+        # What was clicked may have been drawn before the models changed, or flicker in its place.
+        meshes = [one.mesh for one in self.work.models]
+        if model >= len(meshes) or self.view.shown[model].faces is not meshes[model].faces:
+            return
         self.work.pick(model, vertex)
         if self.side.colour.currentData() == "none":
             self.side.colour.setCurrentIndex(self.side.colour.findData("distance"))

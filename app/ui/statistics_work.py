@@ -80,6 +80,10 @@ class _Task:
         yield Progress((connectivity(self.mesh), summarise(self.mesh)), 1.0)
 
 
+def _same_mesh(old: tuple[Model, ...], new: tuple[Model, ...], place: int) -> bool:
+    return place < len(new) and new[place].mesh is old[place].mesh
+
+
 class StatisticsWork:
     """Computes what the shown models need and is not there yet.
 
@@ -111,9 +115,8 @@ class StatisticsWork:
         self._refused: dict[tuple[Any, ...], str] = {}
 
     def show(self, models: tuple[Model, ...]) -> None:
-        """Show other models."""
-        old = [model.mesh for model in self.models]
-        if [model.mesh for model in models][:1] != old[:1]:
+        """Show other models; the picked vertex stays while its mesh does."""
+        if self.picked and not _same_mesh(self.models, models, self.picked[0]):
             self.picked = None
         self.models = models
         self.start()
@@ -198,7 +201,7 @@ class StatisticsWork:
         ]
 
     def _picked_task(self) -> _Task | None:
-        if self.picked is None or self.picked[0] >= len(self.models):
+        if self.picked is None:
             return None
         model, vertex = self.picked
         return _Task("picked", self.models[model].mesh, (vertex, self.geodesic))

@@ -8,6 +8,7 @@ from app.scene.colours import DARK, LIGHT
 from app.ui import statistics_tools
 from app.ui.statistics_saving import cell_writer, copy_numbers
 from app.ui.statistics_tab import StatisticsTab
+from app.ui.statistics_work import Model
 from core.io import save_mesh
 from core.mesh import primitives
 
@@ -137,6 +138,25 @@ def test_a_click_on_the_model_picks_a_vertex(qtbot, tab):
         qtbot.mouseClick(view, Qt.MouseButton.LeftButton, pos=view.rect().center())
     assert picked.args[0] == 0
     qtbot.waitUntil(lambda: tab.work.distances(0) is not None)
+
+
+def test_a_picked_vertex_is_forgotten_with_its_mesh(qtbot, tab):
+    ball, ring = primitives.sphere(2), primitives.torus(8, 6)
+    first = tab.work.models
+    tab.work.show((*first, Model("ball", ball)))
+    tab.work.pick(1, 161)
+    tab.work.show((*first, Model("ring", ring)))
+    assert tab.work.picked is None
+    tab.work.pick(0, 161)
+    tab.work.show((*first, Model("ball", ball)))
+    assert tab.work.picked == (0, 161)
+
+
+def test_a_click_on_a_model_that_is_gone_picks_nothing(qtbot, tab):
+    tab.work.show((Model("ring", primitives.torus(8, 6)),))
+    tab.view.picked.emit(0, 161)
+    tab.view.picked.emit(1, 0)
+    assert tab.work.picked is None
 
 
 @pytest.mark.parametrize("colour", ["degree", "assortativity", "clustering"])

@@ -139,5 +139,5 @@ def _pixels(tab):
     image = tab.viewport.interactor.grabFramebuffer().convertToFormat(
         tab.viewport.interactor.grabFramebuffer().Format.Format_RGB888
     )
-    rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
+    rows = np.array(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
     return rows[:, : 3 * image.width()].reshape(image.height(), -1, 3).astype(int)

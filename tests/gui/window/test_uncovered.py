@@ -24,7 +24,7 @@ def on_screen(window):
     place = window.geometry()
     picture = window.screen().grabWindow(0, place.x(), place.y(), place.width(), place.height())
     image = picture.toImage().convertToFormat(QImage.Format.Format_RGB888)
-    rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
+    rows = np.array(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
     return rows[:, : 3 * image.width()].reshape(image.height(), -1, 3)
 
 

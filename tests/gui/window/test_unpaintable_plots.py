@@ -33,7 +33,8 @@ def fail(*_, **__):
 
 
 def pixels(canvas):
-    return bytes(canvas.grab().toImage().constBits())
+    picture = canvas.grab().toImage()  # held: the bits are its own
+    return bytes(picture.constBits())
 
 
 def test_an_error_while_painting_is_told_once_and_the_plot_says_so(
