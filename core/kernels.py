@@ -79,7 +79,8 @@ def kernel(function: F) -> F:
 def fused_kernel(function: F) -> F:
     """Compile a loop or formula whose x·y + z is rounded once, where the processor can do so.
 
-    For sums of many products. A difference of equal products may then be other than zero.
+    For sums of many products. A difference of equal products may then be other than zero. A plain
+    kernel that is first compiled because this one calls it is fused too.
     """
     return cast("F", Kernel(function, fastmath={"contract"}))
 

@@ -3,83 +3,126 @@
 import numpy as np
 
 from core.arrays import FloatArray, IntArray
-from core.kernels import fused_parallel_kernel, prange, unsigned
+from core.kernels import (
+    fused_kernel,
+    fused_parallel_kernel,
+    kernel,
+    parallel_kernel,
+    prange,
+    unsigned,
+)
+from core.lanes import Lanes, every, numbers, row, set_row, with_fourth, xyz
 from core.mesh import TriangleMesh
 from core.mesh.gradient import CAUCHY_CONSTANT, inverse_roots
 from core.metrics.spec import MetricSpec
 
+Ring = tuple[IntArray, IntArray]
+"""Starts and items of the neighbours of each vertex."""
 
-@fused_parallel_kernel
-def _cauchy_weights(
+# So many vertices are one piece of work for a thread.
+_BLOCK = 1024
+_ONE = np.uint64(1)
+
+
+@fused_kernel
+def _set_weighted(
     vertices: FloatArray,
-    starts: IntArray,
-    items: IntArray,
+    ring: Ring,
     origin: FloatArray,
     roots: FloatArray,
-    c: float,
-) -> FloatArray:
-    """g(|∇vᵢ|) = 1/(1 + |∇vᵢ|²/c²) with |∇vᵢ|² = Σⱼ ‖(vᵢ − o)/√dᵢ − (vⱼ − o)/√dⱼ‖², (m,).
+    first: int,
+    last: int,
+    weighted: FloatArray,
+) -> None:
+    """Note vᵢ − o and the weight g(|∇vᵢ|) of the vertices from `first` to before `last`, (m, 4).
 
-    `roots` are the 1/√dᵢ, times the scale of the lengths.
+    g(|∇vᵢ|) = c²/(c² + |∇vᵢ|²) with |∇vᵢ|² = Σⱼ ‖(vᵢ − o)/√dᵢ − (vⱼ − o)/√dⱼ‖². `roots` are the
+    1/√dᵢ, times the scale of the lengths.
     """
-    weights = np.empty(len(vertices))
-    for i in prange(len(vertices)):
-        ax = roots[i] * (vertices[i, 0] - origin[0])
-        ay = roots[i] * (vertices[i, 1] - origin[1])
-        az = roots[i] * (vertices[i, 2] - origin[2])
-        total = 0.0
-        for j in items[starts[i] : starts[i + 1]]:
-            x = ax - roots[j] * (vertices[j, 0] - origin[0])
-            y = ay - roots[j] * (vertices[j, 1] - origin[1])
-            z = az - roots[j] * (vertices[j, 2] - origin[2])
-            total += x * x + y * y + z * z
-        weights[i] = 1 / (1 + total / c**2)
-    return weights
+    starts, items = ring
+    o = xyz(origin, 0)
+    for i in range(np.uint64(first), np.uint64(last)):
+        here = xyz(vertices, i) - o
+        scaled = every(roots[i]) * here
+        squares = every(0.0)
+        for k in range(starts[i], starts[i + _ONE]):
+            j = items[k]
+            gradient = scaled - every(roots[j]) * (xyz(vertices, j) - o)
+            squares = squares + gradient * gradient
+        x, y, z, _ = numbers(squares)
+        weight = CAUCHY_CONSTANT**2 / (CAUCHY_CONSTANT**2 + (x + y + z))
+        set_row(weighted, i, with_fourth(here, weight))
 
 
-@fused_parallel_kernel
-def _diffusion_operator(
-    vertices: FloatArray, starts: IntArray, items: IntArray, weights: FloatArray
-) -> FloatArray:
-    """𝒜(vᵢ) = (1/dᵢ) Σⱼ (vᵢ − vⱼ)(g(|∇vᵢ|) + g(|∇vⱼ|)), (m, 3)."""
-    result = np.empty_like(vertices)
-    for i in prange(len(vertices)):
-        x = y = z = 0.0
-        for j in items[starts[i] : starts[i + 1]]:
-            weight = weights[i] + weights[j]
-            x += weight * (vertices[i, 0] - vertices[j, 0])
-            y += weight * (vertices[i, 1] - vertices[j, 1])
-            z += weight * (vertices[i, 2] - vertices[j, 2])
-        d = max(starts[i + 1] - starts[i], 1)
-        result[i, 0], result[i, 1], result[i, 2] = x / d, y / d, z / d
-    return result
+@fused_kernel
+def _diffusion(weighted: FloatArray, ring: Ring, i: int) -> Lanes:
+    """𝒜(vᵢ) = (1/dᵢ) (g(|∇vᵢ|) Σⱼ (vᵢ − vⱼ) + Σⱼ g(|∇vⱼ|) (vᵢ − vⱼ)); its fourth has no meaning."""
+    starts, items = ring
+    here = row(weighted, i)
+    plain = around = every(0.0)
+    for k in range(starts[i], starts[i + _ONE]):
+        there = row(weighted, items[k])
+        away = here - there
+        plain = plain + away
+        around = around + every(numbers(there)[3]) * away
+    d = max(starts[i + _ONE] - starts[i], _ONE)
+    return every(1 / d) * (every(numbers(here)[3]) * plain + around)
 
 
-@fused_parallel_kernel
-def _total_squares(
+@kernel
+def _block_squares(
+    weighted: FloatArray,
+    ring: Ring,
     original: FloatArray,
     operator: FloatArray,
-    vertices: FloatArray,
-    starts: IntArray,
-    items: IntArray,
-    weights: FloatArray,
+    first: int,
+    last: int,
 ) -> float:
-    """Σᵢ ‖vᵢ − v̂ᵢ‖² + ‖𝒜(vᵢ) − 𝒜(v̂ᵢ)‖², in one pass over the rings."""
+    """Σᵢ ‖vᵢ − v̂ᵢ‖² + ‖𝒜(vᵢ) − 𝒜(v̂ᵢ)‖² of the vertices from `first` to before `last`.
+
+    Neither this nor its caller is fused: equal operators have to give zero.
+    """
+    squares = every(0.0)
+    for i in range(np.uint64(first), np.uint64(last)):
+        displacement = row(original, i) - row(weighted, i)
+        change = row(operator, i) - _diffusion(weighted, ring, i)
+        squares = squares + (displacement * displacement + change * change)
+    x, y, z, _ = numbers(squares)
+    return x + y + z
+
+
+@fused_parallel_kernel
+def _weighted_positions(
+    vertices: FloatArray, ring: Ring, origin: FloatArray, roots: FloatArray
+) -> FloatArray:
+    """All positions from the origin on, with their weights, (m, 4)."""
+    m = len(vertices)
+    weighted = np.empty((m, 4))
+    for block in prange((m + _BLOCK - 1) // _BLOCK):
+        first, last = block * _BLOCK, min((block + 1) * _BLOCK, m)
+        _set_weighted(vertices, ring, origin, roots, first, last, weighted)
+    return weighted
+
+
+@fused_kernel
+def _diffusion_operator(weighted: FloatArray, ring: Ring) -> FloatArray:
+    """𝒜 of all vertices, (m, 4)."""
+    operator = np.empty_like(weighted)
+    for i in range(np.uint64(len(weighted))):
+        set_row(operator, i, _diffusion(weighted, ring, i))
+    return operator
+
+
+@parallel_kernel
+def _total_squares(
+    weighted: FloatArray, ring: Ring, original: FloatArray, operator: FloatArray
+) -> float:
+    """Σᵢ ‖vᵢ − v̂ᵢ‖² + ‖𝒜(vᵢ) − 𝒜(v̂ᵢ)‖² over all vertices."""
+    m = len(weighted)
     total = 0.0
-    for i in prange(len(vertices)):
-        x = y = z = 0.0
-        for j in items[starts[i] : starts[i + 1]]:
-            weight = weights[i] + weights[j]
-            x += weight * (vertices[i, 0] - vertices[j, 0])
-            y += weight * (vertices[i, 1] - vertices[j, 1])
-            z += weight * (vertices[i, 2] - vertices[j, 2])
-        d = max(starts[i + 1] - starts[i], 1)
-        square = (operator[i, 0] - x / d) ** 2
-        square += (operator[i, 1] - y / d) ** 2
-        square += (operator[i, 2] - z / d) ** 2
-        for axis in range(3):
-            square += (original[i, axis] - vertices[i, axis]) ** 2
-        total += square
+    for block in prange((m + _BLOCK - 1) // _BLOCK):
+        first, last = block * _BLOCK, min((block + 1) * _BLOCK, m)
+        total += _block_squares(weighted, ring, original, operator, first, last)
     return total
 
 
@@ -96,34 +139,30 @@ class VisualErrorEvaluator:
 
     def __init__(self, original: TriangleMesh, *, model_units: bool = False) -> None:
         self._ring = unsigned(*original.topology.vertex_ring)
-        self._origin = np.zeros(3) if model_units else original.vertices.mean(axis=0)
+        self._origin = np.zeros((1, 3)) if model_units else original.vertices.mean(axis=0)[None]
         self._scale = 1.0 if model_units else 1.0 / (original.mean_edge_length or 1.0)
         self._roots = self._scale * inverse_roots(original.degrees)
-        self._vertices = original.vertices
-        self._operator = self._diffusion_operator(self._vertices)
+        self._weighted = self._weighted_positions(original.vertices)
+        self._operator = _diffusion_operator(self._weighted, self._ring)
 
-    def _weights(self, vertices: FloatArray) -> FloatArray:
-        weights: FloatArray = _cauchy_weights(
-            vertices, *self._ring, self._origin, self._roots, CAUCHY_CONSTANT
+    def _weighted_positions(self, vertices: FloatArray) -> FloatArray:
+        weighted: FloatArray = _weighted_positions(
+            np.ascontiguousarray(vertices), self._ring, self._origin, self._roots
         )
-        return weights
-
-    def _diffusion_operator(self, vertices: FloatArray) -> FloatArray:
-        operator: FloatArray = _diffusion_operator(vertices, *self._ring, self._weights(vertices))
-        return operator
+        return weighted
 
     def value(self, vertices: FloatArray) -> float:
         """Return D(𝕄, 𝕄̂), the mean of `elements`."""
-        squares = _total_squares(
-            self._vertices, self._operator, vertices, *self._ring, self._weights(vertices)
-        )
+        weighted = self._weighted_positions(vertices)
+        squares = _total_squares(weighted, self._ring, self._weighted, self._operator)
         return self._scale**2 * squares / (2 * max(len(vertices), 1))
 
     def elements(self, vertices: FloatArray) -> FloatArray:
         """Return (‖vᵢ − v̂ᵢ‖² + ‖𝒜(vᵢ) − 𝒜(v̂ᵢ)‖²)/2 of each vertex, (m,)."""
-        displacement = self._vertices - vertices
-        change = self._operator - self._diffusion_operator(vertices)
-        squares: FloatArray = (displacement**2 + change**2).sum(axis=1)
+        weighted = self._weighted_positions(vertices)
+        displacement = self._weighted - weighted
+        change = self._operator - _diffusion_operator(weighted, self._ring)
+        squares: FloatArray = (displacement**2 + change**2)[:, :3].sum(axis=1)
         return self._scale**2 * squares / 2
 
 

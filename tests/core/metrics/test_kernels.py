@@ -82,3 +82,45 @@ def test_angle_of_no_number():
     assert np.isnan(angle_of(np.nan, 1.0))
     assert np.isnan(angle_of(np.nan, np.nan))
     assert np.isnan(angle_of(np.inf, np.inf))
+
+
+def exact_diffusion_operator(mesh, vertices, scale):
+    """𝒜(vᵢ) of thesis eq. (12) edge by edge, in extended precision, lengths times the scale."""
+    centre = mesh.vertices.astype(np.longdouble).mean(axis=0)
+    v = scale * (vertices.astype(np.longdouble) - centre)
+    i, j = np.vstack([mesh.edges, mesh.edges[:, ::-1]]).T
+    d = np.maximum(mesh.degrees, 1).astype(np.longdouble)[:, None]
+    squares, operator = np.zeros(len(v), np.longdouble), np.zeros_like(v)
+    np.add.at(squares, i, (((v / np.sqrt(d))[i] - (v / np.sqrt(d))[j]) ** 2).sum(axis=1))
+    g = 1 / (1 + squares / np.longdouble(2.3849) ** 2)
+    np.add.at(operator, i, (g[i] + g[j])[:, None] * (v[i] - v[j]))
+    return operator / d
+
+
+@pytest.mark.parametrize("away", [0, 1e6])
+def test_visual_error_keeps_its_digits(irregular, away):
+    mesh = irregular.with_vertices(irregular.vertices + away)
+    vertices = mesh.vertices + np.random.default_rng(2).normal(scale=1e-3, size=mesh.vertices.shape)
+    scale = 1 / np.longdouble(mesh.mean_edge_length)
+    change = exact_diffusion_operator(mesh, vertices, scale) - exact_diffusion_operator(
+        mesh, mesh.vertices, scale
+    )
+    displacement = scale * (vertices.astype(np.longdouble) - mesh.vertices)
+    expected = ((displacement**2 + change**2).sum(axis=1) / 2).astype(np.float64)
+    evaluator = METRICS["visual_error"].evaluator(mesh)
+    assert evaluator.elements(vertices) == pytest.approx(expected, rel=1e-9 if away else 1e-11)
+    assert evaluator.value(vertices) == pytest.approx(expected.mean(), rel=1e-9 if away else 1e-12)
+
+
+@pytest.mark.parametrize("metric", list(METRICS))
+def test_equal_positions_have_no_error_at_all(irregular, metric):
+    evaluator = METRICS[metric].evaluator(irregular)
+    assert evaluator.value(irregular.vertices) == 0
+    assert not evaluator.elements(irregular.vertices).any()
+
+
+@pytest.mark.parametrize("metric", list(METRICS))
+def test_positions_in_any_order_of_memory(irregular, moved, metric):
+    evaluator = METRICS[metric].evaluator(irregular)
+    assert evaluator.value(np.asfortranarray(moved)) == evaluator.value(moved)
+    assert np.array_equal(evaluator.elements(np.asfortranarray(moved)), evaluator.elements(moved))
