@@ -8,7 +8,7 @@ from typing import Any
 from app.folders import unpacked_folder
 from app.repair_words import repair_words, repairs_of
 from app.usage import UsageError
-from core.comparison import read_model
+from core.models import read_model
 from core.noise import NoiseParams
 from core.parameters import build_params, value_text
 from core.smoothing import method_spec

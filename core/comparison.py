@@ -10,21 +10,19 @@ import time
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from pathlib import Path
 
 import numpy as np
 
 from core.arrays import FloatArray
 from core.doctor import repaired
 from core.file_order import FileOrderEvaluator, file_order_evaluator
-from core.io import LoadedMesh, read_mesh, sample_path
 from core.mesh import TriangleMesh
 from core.mesh.ordering import Numbering
 from core.metrics import metrics_in
+from core.models import matched, read_model
 from core.noise import add_noise
-from core.parameters import ParameterError
 from core.smoothing import DivergenceError, DivergenceGuard, method_spec
-from core.study import SAMPLE_PREFIX, MethodChoice, Study
+from core.study import MethodChoice, Study
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,8 +56,8 @@ class Comparison:
         """Return each metric of a mesh with these positions."""
         return {id_: evaluator.value(vertices) for id_, evaluator in self.evaluators.items()}
 
-    def snapshots(self, choice: MethodChoice) -> Iterator["Snapshot"]:
-        """Yield the state after iteration 1, 2, 3 …, without end.
+    def snapshots(self, choice: MethodChoice) -> Iterator["Snapshot | None"]:
+        """Yield the state after iteration 1, 2, 3 …, without end; None while one takes long.
 
         Raises
         ------
@@ -70,17 +68,20 @@ class Comparison:
         numbering = self.noisy.topology.ordering.vertices
         guard = DivergenceGuard(noisy)
         positions = method_spec(choice.method).steps(noisy, choice.settings)
-        iteration = 0
+        iteration, seconds = 1, 0.0
         while True:
-            iteration += 1
             # Not the clock on the wall: beside a window that is drawing, this thread waits a lot.
             started = time.thread_time()
             vertices = next(positions)
-            seconds = time.thread_time() - started
+            seconds += time.thread_time() - started
+            if vertices is None:
+                yield None
+                continue
             if not guard.allows(vertices):
                 raise DivergenceError(iteration)
             errors = {id_: e.along_surface.value(vertices) for id_, e in self.evaluators.items()}
             yield Snapshot(iteration, errors, seconds, vertices, numbering)
+            iteration, seconds = iteration + 1, 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -165,13 +166,6 @@ class StudyResult:
     methods: tuple[MethodResult, ...]
 
 
-def read_model(model: str) -> LoadedMesh:
-    """Read a model by its path or, as ``sample:ID``, from the bundled ones."""
-    if model.startswith(SAMPLE_PREFIX):
-        return read_mesh(sample_path(model.removeprefix(SAMPLE_PREFIX)))
-    return read_mesh(Path(model))
-
-
 def read_comparison(study: Study) -> tuple[Comparison, tuple[str, ...]]:
     """Read the meshes of a study, repair them, add the noise; also returns what was changed.
 
@@ -191,44 +185,13 @@ def read_comparison(study: Study) -> tuple[Comparison, tuple[str, ...]]:
     return Comparison(whole.mesh, noisy, study.model_units), loaded.report + whole.changes
 
 
-def matched(original: TriangleMesh, noisy: LoadedMesh) -> TriangleMesh:
-    """Give a noisy mesh from its own file the topology of the original.
-
-    Raises
-    ------
-    ParameterError
-        If the two do not agree vertex by vertex and face by face.
-    """
-    mesh = noisy.mesh
-    pairs = (("vertices", mesh.vertices, original.vertices), ("faces", mesh.faces, original.faces))
-    for word, ours, theirs in pairs:
-        if len(ours) != len(theirs):
-            raise ParameterError(
-                f"{noisy.name} has {len(ours):,} {word} and the original {len(theirs):,}; "
-                "a noisy file must match its original vertex by vertex."
-            )
-    same = np.array_equal(mesh.faces, original.faces)
-    if not same and not np.array_equal(_face_set(mesh), _face_set(original)):
-        raise ParameterError(
-            f"{noisy.name} joins its vertices to other faces than the original; "
-            "a noisy file must match its original vertex by vertex."
-        )
-    return original.with_vertices(mesh.vertices)
-
-
-def _face_set(mesh: TriangleMesh) -> FloatArray:
-    """Faces without order: corners sorted in each, faces sorted among themselves."""
-    faces = np.sort(mesh.faces, axis=1).astype(np.float64)
-    return faces[np.lexsort(faces.T[::-1])]
-
-
 def run_method(comparison: Comparison, choice: MethodChoice) -> MethodResult:
     """Run one method to the chosen iteration or until it diverges."""
     errors: dict[str, list[float]] = {id_: [e] for id_, e in comparison.noisy_errors.items()}
     seconds: list[float] = []
     snapshot = None
     diverged = None
-    snapshots = comparison.snapshots(choice)
+    snapshots = (snapshot for snapshot in comparison.snapshots(choice) if snapshot is not None)
     try:
         for _ in range(choice.iterations):
             snapshot = next(snapshots)

@@ -3,21 +3,32 @@
 import io
 import os
 from collections.abc import Iterator
-from contextlib import contextmanager
+from concurrent.futures import CancelledError
+from contextlib import contextmanager, suppress
 from contextvars import ContextVar
 from pathlib import Path
+from threading import Lock
+from typing import TYPE_CHECKING
 
 from core.leftovers import fresh_path, remove_leftovers
+
+if TYPE_CHECKING:
+    from _typeshed import ReadableBuffer
+
+_BLOCK = 2**20
 
 
 class Staging:
     """Files that take their places together, or none of them does.
 
     What this module writes within ``with staging:`` stays beside its place until :meth:`commit`.
+    Any thread may :meth:`discard` it meanwhile: what is being written then stops soon.
     """
 
     def __init__(self) -> None:
-        self._held: list[tuple[Path, Path]] = []
+        self._files: dict[Path, Path | None] = {}
+        self._lock = Lock()
+        self._is_discarded = False
 
     def __enter__(self) -> None:
         self._token = _STAGING.set(self)
@@ -25,9 +36,27 @@ class Staging:
     def __exit__(self, *_: object) -> None:
         _STAGING.reset(self._token)
 
-    def hold(self, fresh: Path, target: Path) -> None:
-        """Keep a file that is written until it may take its place."""
-        self._held.append((fresh, target))
+    def check(self) -> None:
+        """Go on only where what is written is still wanted.
+
+        Raises
+        ------
+        CancelledError
+            If it was discarded.
+        """
+        if self._is_discarded:
+            raise CancelledError
+
+    def hold(self, fresh: Path, target: Path | None) -> None:
+        """Keep a file until it may take its place, which it has when it is written."""
+        with self._lock:
+            self.check()
+            self._files[fresh] = target
+
+    def drop(self, fresh: Path) -> None:
+        """Forget a file that could not be written."""
+        with self._lock:
+            self._files.pop(fresh, None)
 
     def commit(self) -> None:
         """Put every file in its place.
@@ -36,16 +65,23 @@ class Staging:
         ------
         OSError
             If the system refuses one of them.
+        CancelledError
+            If they were discarded.
         """
-        while self._held:
-            fresh, target = self._held[0]
-            fresh.replace(target)
-            self._held.pop(0)
+        with self._lock:
+            self.check()
+            for fresh, target in list(self._files.items()):
+                if target:
+                    fresh.replace(target)
+                    del self._files[fresh]
 
     def discard(self) -> None:
-        """Leave nothing behind of what has not taken its place."""
-        while self._held:
-            self._held.pop()[0].unlink(missing_ok=True)
+        """Leave nothing behind of what has not taken its place, and take nothing more."""
+        with self._lock:
+            self._is_discarded = True
+            while self._files:
+                with suppress(OSError):  # Windows keeps what is open; who writes it removes it
+                    self._files.popitem()[0].unlink(missing_ok=True)
 
 
 _STAGING: ContextVar[Staging | None] = ContextVar("_STAGING", default=None)
@@ -65,9 +101,13 @@ def write_atomically(file: Path, content: bytes) -> None:
     ------
     OSError
         If the system refuses; the old file is then untouched and nothing is left behind.
+    CancelledError
+        If it is written within a :class:`Staging` that is discarded meanwhile.
     """
     with replacing(file) as fresh, fresh.open("xb") as stream:
-        stream.write(content)
+        for start in range(0, len(content), _BLOCK):
+            _check()
+            stream.write(memoryview(content)[start : start + _BLOCK])
         stream.flush()
         os.fsync(stream.fileno())
 
@@ -87,14 +127,19 @@ def replacing(file: Path) -> Iterator[Path]:
     target = Path(os.path.realpath(file))
     remove_leftovers(target)
     fresh = fresh_path(target)
+    staging = _STAGING.get()
     try:
+        if staging:
+            staging.hold(fresh, None)
         yield fresh
-        if staging := _STAGING.get():
+        if staging:
             staging.hold(fresh, target)
         else:
             fresh.replace(target)
     except BaseException:
         fresh.unlink(missing_ok=True)
+        if staging:
+            staging.drop(fresh)
         raise
 
 
@@ -107,6 +152,19 @@ def whole_file(file: Path) -> Iterator[io.BytesIO]:
     OSError
         If the system refuses; the old file is then untouched and nothing is left behind.
     """
-    stream = io.BytesIO()
+    stream = _Stream()
     yield stream
     write_atomically(file, stream.getvalue())
+
+
+class _Stream(io.BytesIO):
+    """Memory that takes nothing more when it is not wanted any more: its writer stops there."""
+
+    def write(self, content: "ReadableBuffer", /) -> int:
+        _check()
+        return super().write(content)
+
+
+def _check() -> None:
+    if staging := _STAGING.get():
+        staging.check()

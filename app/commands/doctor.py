@@ -33,9 +33,9 @@ def doctor(
     """
     from app.export.doctor_reports import Visit, visit_json, visit_text
     from app.repair_words import repairs_of
-    from core.comparison import read_model
     from core.doctor import examine, repaired
     from core.io import save_mesh
+    from core.models import read_model
 
     loaded = read_model(model)
     before = examine(loaded.mesh)

@@ -43,7 +43,7 @@ def stats(
         Print one JSON object instead of the text.
     """
     from app.export.statistics_reports import statistics_json, statistics_text
-    from core.comparison import read_model
+    from core.models import read_model
     from core.parameters import build_params
     from core.statistics import GeodesicParams, mesh_statistics
 

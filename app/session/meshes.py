@@ -4,9 +4,10 @@ from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-from core.comparison import Comparison, matched, read_model
+from core.comparison import Comparison
 from core.doctor import Repaired, repaired
 from core.io import LoadedMesh, LoadError
+from core.models import matched, read_model
 from core.noise import add_noise
 from core.study import SAMPLE_PREFIX, Study
 from core.study_files import Fingerprint, fingerprint

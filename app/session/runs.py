@@ -135,13 +135,16 @@ class Source:
     `ended` says that no more will come, because the run diverged or failed.
     """
 
-    def __init__(self, snapshots: Iterator[Snapshot]) -> None:
+    def __init__(self, snapshots: Iterator[Snapshot | None]) -> None:
         self._snapshots = snapshots
         self._reached = 0
         self.ended = False
 
-    def advance(self, target: Callable[[], int]) -> Iterator[Snapshot | DivergenceError]:
-        """Yield snapshots until the iteration that `target` asks for, which may change."""
+    def advance(self, target: Callable[[], int]) -> Iterator[Snapshot | DivergenceError | None]:
+        """Yield snapshots until the iteration that `target` asks for, which may change.
+
+        None while an iteration takes long.
+        """
         while not self.ended and self._reached < target():
             try:
                 snapshot = next(self._snapshots)
@@ -152,7 +155,7 @@ class Source:
             except Exception:
                 self.ended = True
                 raise
-            self._reached = snapshot.iteration
+            self._reached = snapshot.iteration if snapshot else self._reached
             yield snapshot
 
 

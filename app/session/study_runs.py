@@ -13,7 +13,7 @@ from core.comparison import Snapshot
 from core.smoothing import METHODS, DivergenceError
 from core.study import MethodChoice, Study
 
-Steps = Iterator[Snapshot | DivergenceError]
+Steps = Iterator[Snapshot | DivergenceError | None]
 
 
 class StudyRuns:
@@ -109,10 +109,10 @@ class StudyRuns:
         elif not run.holds(min(choice.iterations, run.computed)):
             self._start(key, choice, self._again(key, comparison.snapshots(choice)))
 
-    def _again(self, key: RunKey, snapshots: Iterator[Snapshot]) -> Steps:
+    def _again(self, key: RunKey, snapshots: Iterator[Snapshot | None]) -> Steps:
         for snapshot in snapshots:
             yield snapshot
-            if snapshot.iteration >= self._target(key):
+            if snapshot and snapshot.iteration >= self._target(key):
                 return
 
     def _start(self, key: RunKey, choice: MethodChoice, steps: Steps) -> None:

@@ -33,17 +33,23 @@ def vertex_faces(faces: IntArray, vertex_count: int) -> tuple[IntArray, IntArray
 
 @kernel
 def sort_unique(values: IntArray) -> int:
-    """Sort `values` in place, put the distinct ones first and return their number."""
-    if len(values) > 32:
-        values.sort()
-    else:
-        for a in range(1, len(values)):
+    """Sort `values` in place, put the distinct ones first and return their number.
+
+    Shell's sort with Knuth's gaps: for a few values it is sorting by insertion, and no order of
+    very many takes the square of their number.
+    """
+    gap = 1
+    while gap < len(values) // 9:
+        gap = 3 * gap + 1
+    while gap > 0:
+        for a in range(gap, len(values)):
             value = values[a]
-            b = a - 1
+            b = a - gap
             while b >= 0 and values[b] > value:
-                values[b + 1] = values[b]
-                b -= 1
-            values[b + 1] = value
+                values[b + gap] = values[b]
+                b -= gap
+            values[b + gap] = value
+        gap //= 3
     count = 0
     for value in values:
         if count == 0 or values[count - 1] != value:
@@ -132,21 +138,27 @@ def _merge_rows(faces: IntArray, t: int, starts: IntArray, items: IntArray, out:
 @parallel_kernel
 def face_ring(
     faces: IntArray,
+    first: int,
+    last: int,
     starts: IntArray,
     items: IntArray,
     edges_of_faces: IntArray,
     corner_starts: IntArray,
     corner_items: IntArray,
 ) -> tuple[IntArray, IntArray]:
-    """Faces that share a vertex or an edge with each face, without the face itself (t*)."""
-    n = len(faces)
-    counts = np.zeros(n, np.int32)
-    for t in prange(n):
-        counts[t] = _ring_length(faces, t, starts, edges_of_faces, corner_starts, corner_items)
+    """Faces that share a vertex or an edge with each face from `first` on, up to `last`.
+
+    Without the face itself (t*). `starts` and `items` are the faces of each vertex.
+    """
+    counts = np.zeros(last - first, np.int32)
+    for i in prange(last - first):
+        t = first + i
+        counts[i] = _ring_length(faces, t, starts, edges_of_faces, corner_starts, corner_items)
     row_starts = running_sum(counts)
     row_items = np.empty(row_starts[-1], np.int32)
-    for t in prange(n):
-        _merge_rows(faces, t, starts, items, row_items[row_starts[t] : row_starts[t + 1]])
+    for i in prange(last - first):
+        row = row_items[row_starts[i] : row_starts[i + 1]]
+        _merge_rows(faces, first + i, starts, items, row)
     return row_starts, row_items
 
 

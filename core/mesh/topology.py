@@ -15,8 +15,8 @@ from core.mesh.ordering import Ordering, follows_surface, surface_ordering
 if TYPE_CHECKING:
     from scipy.sparse import csr_array
 
-# Two gigabytes. Ordinary meshes have 12 neighbours a face; 32-bit numbers end at four times this.
-_MOST_NEIGHBOURS = 500_000_000
+# A gigabyte. Ordinary meshes have 12 neighbours a face.
+MOST_NEIGHBOURS = 250_000_000
 
 
 class Rows(NamedTuple):
@@ -102,17 +102,20 @@ class Topology:
         ------
         MeshError
             If these are too many, because very many faces meet in one vertex: k faces around a
-            vertex have k² neighbours.
+            vertex have k² neighbours. :class:`~core.mesh.face_rings.FaceRings` knows a way.
         """
         around = self.vertex_faces.lengths.astype(np.int64)
-        if (around**2).sum() > _MOST_NEIGHBOURS:
+        if (around**2).sum() > MOST_NEIGHBOURS:
             raise MeshError(
                 f"{around.max():,} faces meet in one vertex, and each would be compared with all "
                 "others there; that takes more memory than is allowed."
             )
-        return _rows(
-            *rings.face_ring(self.faces, *self.vertex_faces, self.face_edges, *self.edge_corners)
-        )
+        return self.face_rings(0, len(self.faces))
+
+    def face_rings(self, first: int, last: int) -> Rows:
+        """Compute the rows of `face_ring` from one face on, up to another."""
+        tables = *self.vertex_faces, self.face_edges, *self.edge_corners
+        return _rows(*rings.face_ring(self.faces, first, last, *tables))
 
     @cached_property
     def _numbered_edges(self) -> tuple[IntArray, IntArray]:

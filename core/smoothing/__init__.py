@@ -81,7 +81,8 @@ def smooth(mesh: TriangleMesh, method: str, iterations: int, **params: object) -
     spec = method_spec(method)
     along = mesh.along_surface()
     guard = DivergenceGuard(along)
-    positions = spec.steps(along, build_params(spec.params, params, method))
+    steps = spec.steps(along, build_params(spec.params, params, method))
+    positions = (step for step in steps if step is not None)
     vertices = along.vertices
     for iteration in range(1, iterations + 1):
         vertices = next(positions)

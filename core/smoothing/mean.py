@@ -7,6 +7,7 @@ import numpy as np
 from core.arrays import FloatArray, IntArray
 from core.kernels import parallel_kernel, prange, unsigned
 from core.mesh import TriangleMesh
+from core.mesh.face_rings import FaceRings
 from core.mesh.triangles import triangle_vector
 from core.parameters import Params
 from core.smoothing.normal_update import fit_vertices, set_plane
@@ -37,14 +38,16 @@ def set_mean_planes(
     faces: IntArray,
     areas: FloatArray,
     vectors: FloatArray,
+    first: int,
     starts: IntArray,
     items: IntArray,
     planes: FloatArray,
 ) -> None:
-    """Note the plane of each face along the mean normal of its ring, (n, 4)."""
-    for t in prange(len(faces)):
+    """Note the planes of a part of the faces along the mean normals of their rings, (n, 4)."""
+    for i in prange(len(starts) - 1):
+        t = first + i
         x = y = z = total = 0.0
-        for other in items[starts[t] : starts[t + 1]]:
+        for other in items[starts[i] : starts[i + 1]]:
             x += vectors[other, 0]
             y += vectors[other, 1]
             z += vectors[other, 2]
@@ -56,7 +59,7 @@ def set_mean_planes(
         set_plane(planes, t, vertices, faces, factor * x, factor * y, factor * z)
 
 
-def steps(mesh: TriangleMesh, params: MeanParams) -> Iterator[FloatArray]:
+def steps(mesh: TriangleMesh, params: MeanParams) -> Iterator[FloatArray | None]:
     """Yield the positions after each iteration of the mean filter.
 
     1. m(tᵢ) = Σ A(tⱼ) n(tⱼ) / Σ A(tⱼ) over the faces tᵢ* that share a vertex or an edge with tᵢ.
@@ -72,8 +75,9 @@ def steps(mesh: TriangleMesh, params: MeanParams) -> Iterator[FloatArray]:
 
     Yields
     ------
-    (m, 3) float64 ndarray
-        Positions; a vertex whose faces have no area stays where it is.
+    (m, 3) float64 ndarray or None
+        Positions; a vertex whose faces have no area stays where it is. None between the parts of
+        an iteration where very many faces meet in one vertex.
 
     Notes
     -----
@@ -88,14 +92,18 @@ def steps(mesh: TriangleMesh, params: MeanParams) -> Iterator[FloatArray]:
     normals*, GMP 2002.
     """
     (faces,) = unsigned(mesh.faces)
-    face_ring = unsigned(*mesh.topology.face_ring)
+    rings = FaceRings(mesh.topology)
     vertex_faces = unsigned(*mesh.topology.vertex_faces)
     n = len(faces)
     areas, vectors, planes = np.empty(n), np.empty((n, 3)), np.empty((n, 4))
     vertices = mesh.vertices
     while True:
         set_area_vectors(vertices, faces, areas, vectors)
-        set_mean_planes(vertices, faces, areas, vectors, *face_ring, planes)
+        for first, starts, items in rings.parts():
+            if first > 0:
+                yield None
+            ring = unsigned(starts, items)
+            set_mean_planes(vertices, faces, areas, vectors, first, *ring, planes)
         vertices = fit_vertices(vertices, *vertex_faces, areas, planes)
         yield vertices
 

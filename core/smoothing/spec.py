@@ -8,7 +8,7 @@ from core.arrays import FloatArray
 from core.mesh import TriangleMesh
 from core.parameters import Params
 
-Steps = Callable[[TriangleMesh, Any], Iterator[FloatArray]]
+Steps = Callable[[TriangleMesh, Any], Iterator[FloatArray | None]]
 
 
 @dataclass(frozen=True)
@@ -25,7 +25,8 @@ class MethodSpec:
         Declaration of the parameters.
     steps : callable
         ``steps(mesh, params)`` yields the vertex positions after iteration 1, 2, 3 …, without
-        end; each array is new, so whoever iterates may keep it.
+        end; each array is new, so whoever iterates may keep it. In between it may yield None,
+        where an iteration takes so long that whoever iterates may want to stop.
     summary : str
         One sentence: what the method does.
     formula : str

@@ -29,6 +29,8 @@ _FACTORISED = 0.4
 # as on a long strip or around a vertex of thousands of neighbours, more restarts do not help: the
 # shift has to come closer.
 _RESTARTS, _SHIFTS, _CLOSER = 20, 12, 2e-2
+# A component of so few vertices has all its eigenvalues found in a fraction of a second.
+_DENSE = 300
 _NO_CONVERGENCE = (
     "The extreme eigenvalues do not converge on this mesh; a vertex with very many neighbours is "
     "the usual reason."
@@ -52,11 +54,15 @@ def largest_steps(matrix: "csr_array", count: int) -> Iterator[Found]:
         If the Lanczos method does not converge.
     """
     with _convergence():
-        rough = scipy.sparse.linalg.eigsh(
-            matrix, 1, which="LA", v0=_start(matrix), tol=_ROUGH, return_eigenvectors=False
-        )
-        beyond = float(rough[0]) * (1 + 2 * _ROUGH) + _SHIFT
-        yield from _outermost(matrix, count, beyond)
+        yield from _outermost(matrix, count, _beyond(matrix))
+
+
+def _beyond(matrix: "csr_array") -> float:
+    """A shift just beyond the largest eigenvalue."""
+    rough = scipy.sparse.linalg.eigsh(
+        matrix, 1, which="LA", v0=_start(matrix), tol=_ROUGH, return_eigenvectors=False
+    )
+    return float(rough[0]) * (1 + 2 * _ROUGH) + _SHIFT
 
 
 def smallest_steps(
@@ -100,22 +106,26 @@ def _outermost(
 ) -> Iterator[Found]:
     """Find the `count` largest eigenvalues, ascending, from a shift just beyond them.
 
-    Where the method does not converge, the shift moves to just beyond the first eigenvalue that
-    is missing. It may pass some on its way; how many is known from the factors, and these are
-    found from where the shift was before.
+    Where the method does not converge, the components are taken one by one, if there are several:
+    eigenvalues that are equal because components are have then fewer copies. Else the shift moves
+    to just beyond the first eigenvalue that is missing. It may pass some on its way; how many is
+    known from the factors, and these are found from where the shift was before.
     """
     found: list[FloatArray] = []
     place = _Place.at(matrix, shift, kernel)
     while place.passed:  # the rough value was not the largest one's
         place = _Place.at(matrix, 2 * place.shift, kernel)
-    for _ in range(_SHIFTS):
+    for attempt in range(_SHIFTS):
         yield None, _FACTORISED
         try:
             found.append(place.nearest(count - place.passed))
             break
         except scipy.sparse.linalg.ArpackNoConvergence as error:
             known = len(error.eigenvalues)
-            closer = place.closer(known)
+        if attempt == 0 and len(parts := _components(matrix)) > 1:
+            yield from _outermost_of(parts, matrix, count, kernel)
+            return
+        closer = place.closer(known)
         if closer.passed - place.passed > known:  # copies of one eigenvalue were overlooked
             closer = place.closer(0)
         if closer.passed > place.passed:
@@ -126,6 +136,34 @@ def _outermost(
     else:
         raise ValueError(_NO_CONVERGENCE)
     yield np.concatenate(found[::-1]), 1.0
+
+
+def _components(matrix: "csr_array") -> list[NDArray[np.int64]]:
+    """Rows of each component of a matrix that falls apart into blocks."""
+    _, labels = scipy.sparse.csgraph.connected_components(matrix, directed=False)
+    ends = np.cumsum(np.bincount(labels))[:-1]
+    return np.split(np.argsort(labels, kind="stable"), ends)
+
+
+def _outermost_of(
+    parts: list[NDArray[np.int64]], matrix: "csr_array", count: int, kernel: "_Kernel | None"
+) -> Iterator[Found]:
+    """Find the `count` largest eigenvalues, ascending, from those of each component."""
+    values = np.zeros(0)
+    for done, rows in enumerate(parts):
+        yield None, _FACTORISED + (1 - _FACTORISED) * done / len(parts)
+        own = _outermost_alone(matrix[rows][:, rows], count, kernel and kernel.of_component(rows))
+        values = np.sort(np.concatenate([values, own]))[-count:]
+    yield values, 1.0
+
+
+def _outermost_alone(block: "csr_array", count: int, kernel: "_Kernel | None") -> FloatArray:
+    """Find the `count` largest eigenvalues of one component, or all it has."""
+    if block.shape[0] <= _DENSE:
+        values: FloatArray = np.linalg.eigvalsh(block.toarray())
+        return values[:-1] if kernel else values  # the kernel's eigenvalue, zero, is the largest
+    steps = _outermost(block, count, _SHIFT if kernel else _beyond(block), kernel)
+    return next(values for values, _ in steps if values is not None)
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,6 +177,10 @@ class _Kernel:
     @classmethod
     def of(cls, components: NDArray[np.int32], weights: FloatArray) -> "_Kernel":
         return cls(components, weights, np.bincount(components, weights**2).astype(np.float64))
+
+    def of_component(self, rows: NDArray[np.int64]) -> "_Kernel":
+        """Return what the kernel is on the vertices of one component."""
+        return _Kernel.of(np.zeros(len(rows), np.int32), self.weights[rows])
 
     def project_out(self, x: FloatArray) -> FloatArray:
         """Return the part of a vector that is orthogonal to the kernel."""

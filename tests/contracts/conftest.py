@@ -89,6 +89,11 @@ def huge_fan():
     return fan()
 
 
+@pytest.fixture
+def small_fan():
+    return fan(50)
+
+
 @pytest.fixture(scope="session", params=[name for name in MESHES if name != "fan"])
 def modest_mesh(request):
     """The same without the largest; the spectrum of 50,000 faces in a fan takes minutes."""

@@ -3,9 +3,12 @@
 A number is finite, or it is refused with one sentence.
 """
 
+import time
+
 import numpy as np
 import pytest
 
+from core.comparison import Comparison
 from core.fields import FIELDS, scalar_field
 from core.mesh import MeshError, TriangleMesh
 from core.metrics import METRICS, metrics_in
@@ -13,7 +16,9 @@ from core.noise import add_noise
 from core.skeleton import automatic_resolution, level_curves, reeb_graph, skeletal_graph
 from core.smoothing import METHODS, DivergenceError, smooth
 from core.statistics import GeodesicParams, SpectrumParams, StatisticsError, mesh_statistics
+from core.study import MethodChoice
 
+FILTERS = ("mean", "median")
 REFUSED = (DivergenceError, MeshError, StatisticsError)
 
 
@@ -28,13 +33,18 @@ def refusal(error: Exception) -> str:
 
 
 @pytest.mark.parametrize("method", METHODS)
-def test_every_method_gives_finite_positions_or_says_no(method, hard_mesh):
+def test_every_method_gives_finite_positions_or_says_no(method, modest_mesh):
     try:
-        vertices = smooth(noisy(hard_mesh), method, 3).vertices
+        vertices = smooth(noisy(modest_mesh), method, 3).vertices
     except REFUSED as error:
         refusal(error)
     else:
         assert np.isfinite(vertices).all()
+
+
+@pytest.mark.parametrize("method", [method for method in METHODS if method not in FILTERS])
+def test_most_methods_go_through_a_huge_fan(method, huge_fan):
+    assert np.isfinite(smooth(noisy(huge_fan), method, 3).vertices).all()
 
 
 @pytest.mark.parametrize("model_units", [False, True])
@@ -96,8 +106,14 @@ def test_the_statistics_are_finite_or_refused(modest_mesh):
     assert np.isfinite(statistics.average_degree)
 
 
-@pytest.mark.parametrize("method", ["mean", "median"])
-def test_filters_of_normals_say_why_they_refuse_a_huge_fan(method, huge_fan):
+@pytest.mark.parametrize("method", FILTERS)
+def test_filters_of_normals_can_be_left_on_a_huge_fan(method, small_fan, huge_fan):
     """Every face there neighbours every other: 2,500,000,000 pairs, more than 32 bits count."""
-    with pytest.raises(MeshError, match=r"^50,000 faces meet in one vertex, and each would be"):
-        smooth(huge_fan, method, 1)
+    choice = MethodChoice(method=method)
+    next(Comparison(small_fan, small_fan).snapshots(choice))  # reads what is compiled
+    snapshots = Comparison(huge_fan, noisy(huge_fan)).snapshots(choice)
+    started = time.process_time()
+    assert [next(snapshots) for _ in range(3)] == [None] * 3
+    # Measured: 1.2 s; the whole iteration of the median filter takes 36 s.
+    assert time.process_time() - started < 6
+    snapshots.close()

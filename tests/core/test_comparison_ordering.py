@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
-from core.comparison import Comparison, matched, run_method
+from core.comparison import Comparison, run_method
 from core.io import LoadedMesh, load_mesh
 from core.mesh import TriangleMesh, primitives
+from core.models import matched
 from core.noise import add_noise
 from core.parameters import ParameterError
 from core.smoothing import METHODS

@@ -7,7 +7,7 @@ import pytest
 
 from core.mesh.geometry import face_normals
 from core.smoothing import METHODS
-from core.smoothing.median import set_median_faces
+from core.smoothing.median_faces import set_median_faces
 
 
 def unit(vector):
@@ -115,7 +115,7 @@ def median_faces():
 
     def medians(mesh):
         table, found = mesh.topology.face_ring, np.empty(len(mesh.faces), np.int32)
-        set_median_faces(face_normals(mesh), *table, int(table.lengths.max()), found)
+        set_median_faces(face_normals(mesh), 0, *table, found)
         return found
 
     return medians

@@ -25,7 +25,7 @@ def test_mean_planes(irregular, plain):
     set_area_vectors(irregular.vertices, irregular.faces, areas, vectors)
     assert areas == pytest.approx(plain.areas)
     assert vectors == pytest.approx(plain.area_vectors)
-    set_mean_planes(irregular.vertices, irregular.faces, areas, vectors, *ring, planes)
+    set_mean_planes(irregular.vertices, irregular.faces, areas, vectors, 0, *ring, planes)
     assert planes[:, :3] == pytest.approx(plain.mean_normals)
     heights = np.einsum("tx,tx->t", plain.centroids, plain.mean_normals)
     assert planes[:, 3] == pytest.approx(heights)

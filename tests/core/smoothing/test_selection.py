@@ -1,15 +1,16 @@
 """Selecting instead of sorting, and what it is for: rings of thousands of faces."""
 
 import time
+from itertools import islice
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from core.mesh import TriangleMesh
+from core.mesh import TriangleMesh, face_rings
 from core.mesh.geometry import face_normals
-from core.smoothing import smooth
+from core.smoothing import METHODS, smooth
 from core.smoothing.selection import select
 
 
@@ -37,8 +38,15 @@ def test_it_is_what_sorting_would_put_there(values, data):
 
 @pytest.mark.parametrize(
     "values",
-    [np.zeros(100_000), np.arange(100_000.0), np.arange(100_000.0)[::-1], np.arange(1e5) % 2],
-    ids=["equal", "rising", "falling", "two"],
+    [
+        np.zeros(100_000),
+        np.arange(100_000.0),
+        np.arange(100_000.0)[::-1],
+        np.arange(1e5) % 2,
+        np.abs(np.arange(1e5) - 5e4),
+        np.cos(np.linspace(0, 14 * np.pi, 100_000)),
+    ],
+    ids=["equal", "rising", "falling", "two", "there and back", "waves"],
 )
 def test_no_order_makes_it_slow(values):
     select(np.zeros(2), 1)
@@ -82,6 +90,21 @@ def test_an_isolated_face_beside_a_long_ring(median_faces):
     vertices = np.vstack([disc.vertices, np.eye(3) + 5])
     mesh = TriangleMesh(vertices, np.vstack([disc.faces, [[101, 102, 103]]]))
     assert median_faces(mesh)[100] == 100
+
+
+@pytest.mark.parametrize("kept", [0, 10**9])
+@pytest.mark.parametrize("method", ["median", "mean"])
+def test_an_iteration_in_parts_gives_the_same_positions(method, kept, monkeypatch):
+    mesh, spec = fan(300), METHODS[method]
+    first, second = islice(spec.steps(mesh, spec.params()), 2)
+    monkeypatch.setattr(face_rings, "MOST_NEIGHBOURS", kept)
+    monkeypatch.setattr(face_rings, "_FEW_NEIGHBOURS", 20_000)
+    parts = list(islice(spec.steps(mesh, spec.params()), 12))
+    found = [step for step in parts if step is not None]
+    assert [step is None for step in parts[:6]] == [True] * 4 + [False, True]
+    assert np.array_equal(found[0], first)
+    assert np.array_equal(found[1], second)
+    assert np.array_equal(smooth(mesh, method, 2).vertices, second)
 
 
 @pytest.mark.parametrize("method", ["median", "mean"])

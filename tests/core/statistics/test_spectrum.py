@@ -6,8 +6,9 @@ import pytest
 
 from core import load_mesh
 from core.mesh import TriangleMesh, primitives
-from core.mesh.matrices import normalized_laplacian_matrix
-from core.statistics import SpectrumParams, finished, spectrum_steps
+from core.mesh.matrices import laplacian_matrix, normalized_laplacian_matrix
+from core.statistics import SpectrumParams, extremes, finished, spectrum_steps
+from core.statistics import spectrum as spectrum_module
 from core.statistics.extremes import largest_steps
 
 MATRICES = ("laplacian", "normalized_laplacian")
@@ -175,3 +176,31 @@ def test_every_copy_of_an_eigenvalue_is_found(matrix):
     top = spectrum(ball, matrix=matrix).largest[-1]
     result = spectrum(joined(*[ball] * 40), matrix=matrix)
     assert np.allclose(result.largest, top, rtol=0, atol=1e-10)
+
+
+@pytest.mark.parametrize("matrix", MATRICES)
+def test_equal_fans_are_taken_one_by_one(matrix, monkeypatch):
+    """Crowds of eigenvalues with eight copies each; in this process, to see how it is done."""
+    monkeypatch.setattr(spectrum_module, "_SMALL", 10**9)
+    parts = []
+    alone = extremes._outermost_of
+    monkeypatch.setattr(
+        extremes,
+        "_outermost_of",
+        lambda found, *rest: parts.append(len(found)) or alone(found, *rest),
+    )
+    one = spectrum(fan(400), matrix=matrix).eigenvalues
+    ball = spectrum(primitives.sphere(2), matrix=matrix).eigenvalues
+    exact = np.sort(np.concatenate([one, one, one, one, ball]))
+    mesh = joined(*[fan(400)] * 4, primitives.sphere(2))
+    result = spectrum(mesh, matrix=matrix, dense_limit=0)
+    assert np.allclose(result.largest, exact[-12:], rtol=1e-10, atol=1e-10)
+    assert np.allclose(result.smallest, exact[:12], rtol=0, atol=1e-10)
+    assert set(parts) == {5}
+
+
+def test_a_shift_that_falls_short_moves_beyond_all_eigenvalues(monkeypatch):
+    """The rough value is promised to be near an eigenvalue, not near the largest."""
+    monkeypatch.setattr(extremes, "_ROUGH", -0.2)
+    *_, (largest, _) = largest_steps(laplacian_matrix(primitives.torus(12, 7)), 5)
+    assert np.allclose(largest, torus_eigenvalues(12, 7)[4::-1], atol=1e-10)
