@@ -4,7 +4,9 @@ import json
 from pathlib import Path
 
 from app.export.drawing_check import check_drawing
-from app.export.montage import Source, montage_figure, save_montage
+from app.export.montage import montage_figure
+from app.export.montage_files import save_montage
+from app.export.montage_panes import Source
 from app.export.montage_plan import Cell, Montage
 from app.export.outcomes import study_outcomes
 from app.export.pictures import grid_picture, save_picture

@@ -108,6 +108,10 @@ class Layout:
     step_down: float
     bar_left: float
 
+    def pixels(self, dpi: float) -> tuple[int, int]:
+        """Width and height of the figure in pixels."""
+        return round(self.width / INCH * dpi), round(self.height / INCH * dpi)
+
     def cell(self, montage: Montage, place: int) -> tuple[float, float, float, float]:
         """Left, bottom, width and height of a picture; a last row that is not full is centred."""
         row, column = divmod(place, montage.across)

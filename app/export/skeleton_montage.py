@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from app.export.montage import SCREEN_DPI
 from app.export.montage_plan import Entry
+from app.export.montage_source import SCREEN_DPI
 from app.export.pictures import Picture, shot, unmix
 from app.export.skeleton_pictures import studio
 from app.scene.camera import CameraPose

@@ -7,8 +7,8 @@ from typing import Any
 from app.export.pictures import save_picture
 from app.scene.skeleton_panes import SkeletonLook, build_pane, field_title
 from app.session.skeleton_maker import Skeleton, SkeletonMaker, SkeletonSource
-from core.comparison import read_model
 from core.mesh import TriangleMesh
+from core.models import read_model
 from core.skeleton import FORMATS, automatic_resolution, write_graph
 from core.study import SkeletonSettings, SkeletonView
 

@@ -17,38 +17,44 @@ from core.statistics import AxisLabels, Histogram
 
 _MARGINAL = 0.24
 _WIDE_DEGREES = 60
-_AXES_SHARE = 0.75
+_MARGINAL_LEFT = 1.03
+# Centimetres that numbers and labels take to one side.
+_AROUND = 1.4
 _WORDS_SHARE = 0.5
-_BELOW_NUMBERS = 18.0
 
 
-def main_axes(figure: FigureBase, labels: AxisLabels, theme: Theme) -> Axes:
-    """Clear a figure with a constrained layout, or a part of one, and return axes that fill it."""
+def main_axes(figure: FigureBase, labels: AxisLabels, theme: Theme, *, share: float = 1.0) -> Axes:
+    """Clear a figure with a constrained layout, or a part of one, and return axes that fill it.
+
+    They have a `share` of the width that is left beside their numbers and label.
+    """
     figure.clear()
     figure.set_facecolor(theme.panel)
     axes = figure.add_subplot()
     dress(axes, theme)
     style: dict[str, Any] = {"fontsize": FONT_SIZE, "color": theme.ink}
-    axes.set_xlabel(labels.x, **style)
-    axes.set_ylabel(_beside_the_scale(labels.y, figure), **style)
+    room = figure.get_window_extent()
+    axes.set_xlabel(_fitted(labels.x, room.width, figure, share), **style)
+    axes.set_ylabel(_fitted(labels.y, room.height, figure), **style)
     return axes
 
 
 def marginal_axes(figure: FigureBase, labels: AxisLabels, theme: Theme) -> tuple[Axes, Axes]:
     """Clear a figure and return axes with a narrow field to their right for a histogram."""
-    axes = main_axes(figure, labels, theme)
-    beside = axes.inset_axes((1.03, 0, _MARGINAL, 1), sharey=axes)
+    axes = main_axes(figure, labels, theme, share=1 / (_MARGINAL_LEFT + _MARGINAL))
+    beside = axes.inset_axes((_MARGINAL_LEFT, 0, _MARGINAL, 1), sharey=axes)
     dress(beside, theme)
     beside.tick_params(labelleft=False, labelbottom=False, bottom=False, left=False)
-    # Its label stands below the numbers of the main field: the last of them reaches over here.
-    beside.set_xlabel("share", fontsize=FONT_SIZE, color=theme.ink, labelpad=_BELOW_NUMBERS)
+    # Its label stands above: below, the numbers and the label of the main field reach over here.
+    beside.xaxis.set_label_position("top")
+    beside.set_xlabel("share", loc="right", fontsize=FONT_SIZE, color=theme.ink)
     return axes, beside
 
 
-def _beside_the_scale(label: str, figure: FigureBase) -> str:
-    """Part a label into lines that fit beside axes of the figure's height, and set its index."""
-    room = _AXES_SHARE * figure.get_window_extent().height / figure.get_figure(root=True).dpi * INCH
-    return "\n".join(wrapped(label, room, FONT_SIZE)).replace("K_nn", "$K_{nn}$")
+def _fitted(label: str, pixels: float, figure: FigureBase, share: float = 1.0) -> str:
+    """Part a label into lines that fit beside axes in a figure of a length; set its index."""
+    room = share * (pixels / figure.get_figure(root=True).dpi * INCH - _AROUND)
+    return "\n".join(wrapped(label, max(room, 1.0), FONT_SIZE)).replace("K_nn", "$K_{nn}$")
 
 
 def dress(axes: Axes, theme: Theme) -> None:

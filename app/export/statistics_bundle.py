@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from matplotlib.figure import Figure, SubFigure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from app.export.drawing_check import check_drawing
 from app.export.frame import FONT_SIZE
@@ -87,13 +88,15 @@ def write_bundle(
 
 def statistics_figure(name: str, picture: Picture, series: Series) -> Figure:
     """Draw the model and the five plots as in thesis figures 3.2–3.7."""
-    figure = Figure(figsize=(13.0, 7.4), facecolor=LIGHT.panel, layout="constrained")
+    figure = Figure(figsize=(13.0, 7.4), facecolor=LIGHT.panel)
     grid: Any = figure.subfigures(2, 3)
     cells: list[SubFigure] = grid.ravel().tolist()
     _draw_model(cells[0], name, picture)
     for letter, cell, spec in zip("bcdef", cells[1:], PLOTS.values(), strict=True):
         spec.draw(cell, [series], LIGHT)
         _label(cell, f"({letter}) {spec.title}")
+    # Once, not anew for each file.
+    ConstrainedLayoutEngine().execute(figure)
     return figure
 
 

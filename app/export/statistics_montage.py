@@ -3,19 +3,17 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any
 
-import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
+from matplotlib.figure import FigureBase
 
-from app.export.montage import SCREEN_DPI, Drawn
 from app.export.montage_plan import Entry
+from app.export.montage_source import SCREEN_DPI, Drawn
 from app.export.pictures import Picture, shot, unmix
 from app.export.statistics_pictures import models_studio
 from app.export.statistics_plots import PLOTS
 from app.export.statistics_series import Series
 from app.scene.camera import CameraPose
+from app.scene.colours import Theme
 from app.scene.panes import Look
 from app.scene.statistics_scene import ModelPane, StatisticsScene
 
@@ -50,7 +48,7 @@ class StatisticsSource:
         self, look: Look, chosen: Sequence[str], size: tuple[int, int], dpi: float,
         *, transparent: bool,
     ) -> Iterator[Drawn]:  # fmt: skip
-        """Draw some of the entries, each into a picture of `size` pixels; plots can wait."""
+        """Draw some of the entries: models into pictures of `size` pixels, plots as they are."""
         models = {shown.pane.id: shown for shown in self.models}
         look = replace(look, text_scale=dpi / SCREEN_DPI)
         with models_studio(size) as scene:
@@ -58,7 +56,7 @@ class StatisticsSource:
                 if id_ in models:
                     yield self._model(scene, models[id_], look, size, transparent=transparent)
                 else:
-                    yield partial(self._plot, id_, look, size, dpi, transparent=transparent)
+                    yield partial(self._plot, id_, look.theme, transparent=transparent)
 
     def _model(
         self, scene: StatisticsScene, shown: ModelPane, look: Look, size: tuple[int, int],
@@ -71,18 +69,9 @@ class StatisticsSource:
             return shot(scene, look.theme.ground, None)
         return unmix(shot(scene, "black", None), shot(scene, "white", None))
 
-    def _plot(
-        self, plot: str, look: Look, size: tuple[int, int], dpi: float, *, transparent: bool
-    ) -> Picture:
-        inches = [(pixels + 1e-6) / dpi for pixels in size]
-        figure = Figure(figsize=(inches[0], inches[1]), dpi=dpi, layout="constrained")
-        theme = replace(look.theme, panel=look.theme.ground)
-        axes = PLOTS[plot].draw(figure, self.series, theme)
+    def _plot(self, plot: str, theme: Theme, cell: FigureBase, *, transparent: bool) -> None:
+        axes = PLOTS[plot].draw(cell, self.series, replace(theme, panel=theme.ground))
         if transparent:
-            figure.set_facecolor("none")
+            cell.set_facecolor("none")
             for each in (axes, *axes.child_axes):
                 each.set_facecolor("none")
-        canvas: Any = FigureCanvasAgg(figure)
-        canvas.draw()
-        picture: Picture = np.asarray(canvas.buffer_rgba()).copy()
-        return picture if transparent else picture[..., :3]

@@ -23,6 +23,7 @@ T = TypeVar("T")
 Post = Callable[[Callable[[], None]], None]
 """Runs a function on the thread that owns the session."""
 
+_END = object()
 _PATIENCE = 0.3
 _NICE = 4
 
@@ -51,7 +52,8 @@ class Job(Task):
     Attributes
     ----------
     steps : iterator
-        Advanced on the worker thread.
+        Advanced on the worker thread. It may yield None where there is nothing to tell yet, so
+        that others have their turns and it may be cancelled.
     on_step, on_error, on_done : callable
         Called on the owner's thread with each item, with an exception, and at the end.
     late : bool
@@ -99,6 +101,9 @@ class Jobs:
         Where the jobs are listed while they run.
     must_finish : bool
         Whether what was started is carried out even when the jobs are closed.
+    patience : float or None
+        Seconds that closing waits for the step that is running, or for all that must finish; None:
+        as long as it takes.
     """
 
     def __init__(
@@ -107,10 +112,12 @@ class Jobs:
         tasks: RunningTasks | None = None,
         *,
         must_finish: bool = False,
+        patience: float | None = _PATIENCE,
     ) -> None:
         self.tasks = tasks or RunningTasks()
         self._post = post
         self._must_finish = must_finish
+        self._patience = patience
         self._urgent: deque[Job] = deque()
         self._queue: deque[Job] = deque()
         self._unfinished: set[Job] = set()
@@ -133,16 +140,22 @@ class Jobs:
         """Cancel all jobs; give the step that is running a moment to end.
 
         A step that takes longer goes on by itself and nobody hears of its outcome: there is no way
-        to cut it, and whoever closes is not to wait. Jobs that must finish are waited for.
+        to cut it, and whoever closes is not to wait. Jobs that must finish are cancelled only when
+        patience ends.
         """
+        unfinished = list(self._unfinished)
         with self._wake:
             self._closed = True
-            for job in self._unfinished:
+            for job in unfinished:
                 job.cancelled |= not self._must_finish
             self._wake.notify()
-        for job in list(self._unfinished):
+        for job in unfinished:
             self._forget(job)
-        self._thread.join(None if self._must_finish else _PATIENCE)
+        self._thread.join(self._patience)
+        if self._must_finish and self._thread.is_alive():
+            for job in unfinished:
+                job.cancel()
+                job.on_cancel()
 
     def _put(self, job: Job) -> None:
         (self._urgent if job.urgent else self._queue).append(job)
@@ -162,19 +175,20 @@ class Jobs:
 
     def _advance(self, job: Job) -> bool:
         """Take one step of a job; tell whether there is more."""
+        item: Any = _END
         try:
             if job.cancelled and isinstance(job.steps, Generator):
                 job.steps.close()  # cleans up what it has begun
-            item = None if job.cancelled else next(job.steps, None)
+            item = _END if job.cancelled else next(job.steps, _END)
         except Exception as error:
             # Whatever a worker raises belongs to its owner.
             logger.info("job failed", exc_info=error)
             self._deliver(partial(_unless_cancelled, job, job.on_error, error))
-            item = None
-        if item is None:
+        if item is _END:
             self._deliver(partial(self._end, job))
             return False
-        self._deliver(partial(_unless_cancelled, job, job.on_step, item, late=job.late))
+        if item is not None:
+            self._deliver(partial(_unless_cancelled, job, job.on_step, item, late=job.late))
         return True
 
     def _end(self, job: Job) -> None:

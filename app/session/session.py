@@ -17,6 +17,7 @@ from core.study import SAMPLE_PREFIX, Study
 from core.study_files import Fingerprint
 
 _BUDGET = 4 * 1024**3
+_EXPORT_PATIENCE = 0.5
 
 
 class Session:
@@ -42,6 +43,8 @@ class Session:
         Carries out what is computed.
     saving : Jobs
         Carries out what is saved, which closing waits for.
+    exports : Jobs
+        Carries out what is exported, which closing gives a moment and then leaves undone.
     others : dict of str to Fingerprint
         What each file that is not one of the meshes was when it was read.
     """
@@ -71,7 +74,8 @@ class Session:
         self.post = post
         self.tasks = RunningTasks()
         self.jobs = Jobs(post, self.tasks)
-        self.saving = Jobs(post, self.tasks, must_finish=True)
+        self.saving = Jobs(post, self.tasks, must_finish=True, patience=None)
+        self.exports = Jobs(post, self.tasks, must_finish=True, patience=_EXPORT_PATIENCE)
         self._reader = MeshReader(budget)
         self._runs = StudyRuns(self.jobs, self.report, budget)
         self._runs.grown.connect(self.run_changed.emit)
@@ -118,6 +122,7 @@ class Session:
         self.closing.emit()
         self.jobs.close()
         self.saving.close()
+        self.exports.close()
         self.tasks.cancel_all()
 
     def run(self, method: str) -> Run | None:

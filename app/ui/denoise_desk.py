@@ -6,7 +6,7 @@ from typing import ClassVar
 
 from PySide6.QtCore import QPointF
 
-from app.export.montage import Source
+from app.export.montage_panes import Source
 from app.export.pictures import Picture, grid_pieces, scaled
 from app.scene.comparing import pair
 from app.scene.layout import Viewport

@@ -5,7 +5,7 @@ from typing import Any, ClassVar, NamedTuple
 
 from PySide6.QtCore import QObject, QPointF, Signal
 
-from app.export.montage import Source
+from app.export.montage_panes import Source
 from app.export.pictures import Picture
 from app.export.statistics_plots import PLOTS
 from app.scene.layout import Viewport

@@ -85,8 +85,12 @@ def export(session: Session, path: Path, begin: Export, saved: str = "") -> Job:
     saved : str
         What to tell at the end, where it is more than the name.
     """
-    drawer = Drawer(session.post)
+    drawer, staging = Drawer(session.post), Staging()
     reached: float | None = None
+
+    def give_up() -> None:
+        drawer.close()
+        staging.discard()
 
     def step(progress: Progress[bool]) -> None:
         nonlocal reached
@@ -95,11 +99,11 @@ def export(session: Session, path: Path, begin: Export, saved: str = "") -> Job:
             session.notified.emit(saved or f"Saved {path.name}.")
 
     job = Job(
-        _whole_or_not(begin(path, drawer), path), step, session.report, late=True,
-        title=f"Writing {path.name}", share=lambda: reached, on_cancel=drawer.close,
+        _whole_or_not(begin(path, drawer), path, staging), step, session.report, late=True,
+        title=f"Writing {path.name}", share=lambda: reached, on_cancel=give_up,
     )  # fmt: skip
     session.closing.connect(drawer.close)
-    return session.saving.start(job)
+    return session.exports.start(job)
 
 
 def ask_to_export(
@@ -122,9 +126,8 @@ def in_one_step(write: Callable[[], object]) -> Iterator[float]:
     yield 1.0
 
 
-def _whole_or_not(steps: Iterator[float], path: Path) -> Iterator[Progress[bool]]:
+def _whole_or_not(steps: Iterator[float], path: Path, staging: Staging) -> Iterator[Progress[bool]]:
     """Let what is written take its place at the end, unless the export fails or is cancelled."""
-    staging = Staging()
     try:
         while True:
             with staging:

@@ -18,7 +18,8 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
 )
 
-from app.export.montage import montage_pictures, write_montage
+from app.export.montage import montage_pictures
+from app.export.montage_files import write_montage
 from app.export.montage_plan import Montage
 from app.ui.controls import FaintLabel
 from app.ui.dialogs import ask_where_to_save
@@ -62,7 +63,7 @@ class MontageDialog(QDialog):
         self.height_box.setSpecialValueText("automatic")
         self.dpi = QSpinBox(minimum=50, maximum=1200, value=300, suffix=" dpi", singleStep=50)
         self.font_box = QSpinBox(minimum=4, maximum=36, value=9, suffix=" pt")
-        self.preview = MontagePreview(self.source)
+        self.preview = MontagePreview(self.source, window.session)
         self.size_label = FaintLabel()
         self._restore()
         self._lay_out()
@@ -102,6 +103,7 @@ class MontageDialog(QDialog):
 
     def done(self, result: int) -> None:
         """Keep the settings for the next figure."""
+        self.preview.close_work()
         montage = self.montage()
         for name in ("columns", "letters", "bar", "ground", "width", "height", "dpi", "font_size"):
             QSettings().setValue(f"{_KEPT}/{name}", getattr(montage, name))

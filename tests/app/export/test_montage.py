@@ -8,7 +8,9 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.image import imread
 from PIL import Image
 
-from app.export.montage import Source, montage_figure, montage_pixels, save_montage
+from app.export.montage import montage_figure
+from app.export.montage_files import montage_pixels, save_montage
+from app.export.montage_panes import Source
 from app.export.montage_plan import Cell, Montage, montage_layout
 from app.export.pictures import PictureError
 from app.scene.colours import DARK

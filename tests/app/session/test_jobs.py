@@ -86,6 +86,14 @@ def test_urgent_jobs_are_done_before_the_others(owner, gate):
     assert seen == ["first", "u", "v", "x", "y", "z"]
 
 
+def test_a_step_with_nothing_to_tell_is_no_end(owner):
+    seen, ended = [], []
+    steps = iter([None, "a", None, None, "b"])
+    owner.jobs.start(Job(steps, seen.append, on_done=lambda: ended.append(1)))
+    owner.work_until(lambda: ended)
+    assert seen == ["a", "b"]
+
+
 def test_jobs_are_listed_while_they_run(owner):
     job = progress_job(iter([Progress(None, 0.5), Progress("all", 1.0)]), print, title="Graph")
     owner.jobs.start(job)
@@ -170,7 +178,7 @@ def test_closing_ends_the_thread_where_the_step_ends():
 
 
 def test_what_must_finish_is_finished_by_closing():
-    owner = Owner(must_finish=True)
+    owner = Owner(must_finish=True, patience=None)
     written = []
 
     def write(name):
@@ -183,6 +191,25 @@ def test_what_must_finish_is_finished_by_closing():
     owner.jobs.close()
     assert written == ["study", "other"]
     assert not owner.jobs._thread.is_alive()
+
+
+def test_what_must_finish_is_cancelled_when_patience_ends(gate):
+    owner, told, reached = Owner(must_finish=True, patience=0.05), [], threading.Event()
+
+    def write():
+        reached.set()
+        gate.wait(_LONG)
+        yield True
+        told.append("went on")
+
+    job = Job(write(), on_cancel=lambda: told.append(threading.current_thread()))
+    owner.jobs.start(job)
+    assert reached.wait(_LONG)
+    owner.jobs.close()
+    assert job.cancelled
+    gate.set()
+    owner.jobs._thread.join(_LONG)
+    assert told == [threading.current_thread()]
 
 
 def test_a_cancelled_generator_cleans_up_on_the_worker(owner, gate):

@@ -14,8 +14,9 @@ from app.ui.exporting import export, in_one_step
 from app.ui.montage_dialog import MontageDialog
 from app.ui.screenshot_dialog import ScreenshotDialog
 from app.ui.statistics_saving import bundle
+from core import whole_files
 from core.statistics import finished, statistics_steps
-from core.whole_files import write_atomically
+from core.whole_files import whole_file, write_atomically
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -168,7 +169,7 @@ def test_closing_gives_up_what_is_drawn_and_finishes_what_is_written(user, ball_
 
     def slowly():
         reached.set()
-        time.sleep(0.5)
+        time.sleep(0.1)
         write_atomically(folder / "whole", b"whole")
 
     user.window.files.discard_changes()
@@ -180,6 +181,69 @@ def test_closing_gives_up_what_is_drawn_and_finishes_what_is_written(user, ball_
     assert not user.window.isVisible()
     assert [file.name for file in folder.iterdir()] == ["whole"]
     assert closed
+
+
+def test_closing_leaves_undone_what_takes_long_and_nothing_of_it_stays(
+    user, ball_file, folder, gate
+):
+    user.open(ball_file)
+    old, reached, ended = folder / "b.txt", threading.Event(), threading.Event()
+    old.write_bytes(b"old")
+
+    def steps(path, _):
+        try:
+            write_atomically(folder / "a.txt", b"new")
+            write_atomically(old, b"new")
+            yield 0.5
+            with whole_file(path) as stream:
+                reached.set()
+                gate.wait(60)
+                stream.write(b"late")
+                ended.set()
+        finally:
+            reached.set()
+
+    user.window.files.discard_changes()
+    start(user, folder / "c.txt", steps)
+    user.wait(reached.is_set)
+    user.window.close()
+    assert not user.window.isVisible()
+    assert not gate.is_set()  # nobody waited for it
+    assert [file.name for file in folder.iterdir()] == ["b.txt"]
+    gate.set()
+    user.window.session.exports._thread.join(60)
+    assert not ended.is_set()
+    assert [file.read_bytes() for file in folder.iterdir()] == [b"old"]
+
+
+@pytest.mark.parametrize("suffix", [".png", ".pdf"])
+def test_a_figure_that_is_cancelled_while_it_is_written_stops_there(
+    user, ball_file, folder, suffix, monkeypatch
+):
+    user.open(ball_file)
+    dialog = MontageDialog(user.window)
+    dialog.dpi.setValue(60)
+    session, writes, cancelled = user.window.session, [], threading.Event()
+    take = whole_files._Stream.write
+
+    def cancel():
+        session.cancel()
+        cancelled.set()
+
+    def write(stream, content, /):
+        if whole_files._STAGING.get():  # it belongs to an export, not to a small picture
+            writes.append(len(content))
+            if len(writes) == 1:
+                session.post(cancel)
+                cancelled.wait(60)
+        return take(stream, content)
+
+    monkeypatch.setattr(whole_files._Stream, "write", write)
+    dialog.save(folder / f"figure{suffix}")
+    user.wait(cancelled.is_set)
+    user.wait(lambda: not titles(user))
+    assert not list(folder.iterdir())
+    assert len(writes) == 1
 
 
 def test_the_bundle_is_that_of_the_command_line(user, statistics, tmp_path, folder):

@@ -7,7 +7,8 @@ import pytest
 from matplotlib.image import imread
 from PySide6.QtCore import Qt
 
-from app.export.montage import montage_figure, montage_pixels
+from app.export.montage import montage_figure
+from app.export.montage_files import montage_pixels
 from app.ui.montage_dialog import MontageDialog
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
