@@ -8,6 +8,7 @@ import numpy as np
 import pyvista as pv
 from PIL import ImageFont
 
+from app.scene.colours import Theme
 from app.scene.panes import Look, Pane
 
 _WARNING = {True: "#ff8a7a", False: "#b3261e"}
@@ -19,6 +20,8 @@ _SMALLEST = 0.66
 _LINE_SPACING = 1.2
 PART_GAP = "   "
 """What stands between the parts of a caption that are on one line."""
+PLATE_OPACITY = 0.9
+"""Of the ground behind text: little enough to guess what lies below, enough to read any ink."""
 
 
 class Caption:
@@ -72,6 +75,8 @@ class Caption:
         self._caption.input = caption
         colour = _WARNING[look.theme.dark] if pane.warning else look.theme.ink
         self._caption.prop.SetColor(pv.Color(colour).float_rgb)
+        for line in (self._title, self._caption):
+            put_on_plate(line, look.theme)
 
     @staticmethod
     def _place(line: pv.Text, top: float, size: int, left: float) -> None:
@@ -107,6 +112,12 @@ def text_width(text: str, size: float, *, bold: bool = False) -> float:
 def _measure(bold: bool) -> ImageFont.FreeTypeFont:
     """A font to measure text by, at a size where rounding does not matter."""
     return ImageFont.truetype(_font_file(bold=bold), _MEASURED_SIZE)
+
+
+def put_on_plate(line: pv.Text, theme: Theme) -> None:
+    """Let the ground show behind a text, so that it can be read whatever mesh lies below it."""
+    line.prop.SetBackgroundColor(pv.Color(theme.ground_top).float_rgb)
+    line.prop.SetBackgroundOpacity(PLATE_OPACITY)
 
 
 def text_line(size: int, *, bold: bool = False) -> pv.Text:

@@ -2,7 +2,7 @@
 
 import pyvista as pv
 
-from app.scene.caption import fitting, text_line
+from app.scene.caption import fitting, put_on_plate, text_line
 from app.scene.skeleton_panes import SkeletonLook, SkeletonPane
 
 _WARNING = {True: "#ff8a7a", False: "#b3261e"}
@@ -30,8 +30,8 @@ class SkeletonCaption:
         top = size[1] - _MARGIN * look.text_scale
         room = size[0] - 2 * _MARGIN * look.text_scale
         texts = (pane.title, pane.caption, pane.note)
-        warning = _WARNING[look.theme.dark]
-        colours = (look.theme.ink, look.theme.ink if pane.skeleton else warning, look.theme.ink)
+        ink = look.theme.ink
+        colours = (ink, _WARNING[look.theme.dark] if pane.warning else ink, ink)
         for line, height, text, colour in zip(self._lines, _SIZES, texts, colours, strict=True):
             line.input = text
             line.SetPosition(_MARGIN * look.text_scale, top)
@@ -40,4 +40,5 @@ class SkeletonCaption:
             line.prop.SetFontSize(fitting(longest, height * look.text_scale, room, bold=bold))
             line.prop.SetColor(pv.Color(colour).float_rgb)
             line.prop.SetLineSpacing(1.25)
+            put_on_plate(line, look.theme)
             top -= (height + _GAP) * look.text_scale

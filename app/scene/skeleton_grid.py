@@ -44,8 +44,8 @@ class _Slot:
             renderer.AddActor(part.actor)
         for actor in self.graph.actors:
             self.overlay.AddActor(actor)
-        self.caption.add_to(renderer)
-        self.legend.add_to(renderer)
+        for words in (self.caption, self.legend):
+            words.add_to(self.overlay)
         self._frame = renderer.add_border()
         renderer.SetMaximumNumberOfPeels(_PEELS)
         renderer.SetOcclusionRatio(0.0)
@@ -54,7 +54,7 @@ class _Slot:
         self, pane: SkeletonPane, look: SkeletonLook, size: tuple[float, float], *, legend: bool
     ) -> bool:
         """Draw a pane in a viewport of `size` pixels; tell whether anything is new."""
-        drawn = (pane.skeleton, pane.step, pane.picked, pane.title, pane.caption)
+        drawn = (pane.skeleton, pane.step, pane.picked, pane.title, pane.caption, pane.warning)
         state = (*drawn, look, size, legend)
         if state == self._state:
             return False

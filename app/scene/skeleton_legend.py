@@ -3,7 +3,7 @@
 import pyvista as pv
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 
-from app.scene.caption import text_style
+from app.scene.caption import PLATE_OPACITY, text_style
 from app.scene.skeleton_panes import SkeletonLook, SkeletonPane
 
 _LABEL_SIZE = 11
@@ -25,6 +25,9 @@ class BandLegend:
         self._bar.SetBarRatio(0.3)
         self._bar.SetTitle("")
         self._bar.SetLabelTextProperty(text_style(_LABEL_SIZE))
+        # As behind a caption: the surface may reach below the labels.
+        self._bar.DrawBackgroundOn()
+        self._bar.GetBackgroundProperty().SetOpacity(PLATE_OPACITY)
 
     def add_to(self, renderer: pv.Renderer) -> None:
         """Put the legend into a renderer."""
@@ -35,6 +38,7 @@ class BandLegend:
         coloured = look.settings.show_bands or look.settings.node_colour == "band"
         self._bar.SetVisibility(pane is not None and pane.skeleton is not None and coloured)
         self._bar.SetLookupTable(table)
+        self._bar.GetBackgroundProperty().SetColor(pv.Color(look.theme.ground).float_rgb)
         label = self._bar.GetLabelTextProperty()
         label.SetColor(pv.Color(look.theme.ink).float_rgb)
         label.SetFontSize(int(_LABEL_SIZE * look.text_scale))

@@ -30,6 +30,8 @@ class SkeletonPane:
         Number of bands that have grown; None for all.
     picked : int or None
         Node that is lit up with its piece of surface.
+    warning : bool
+        Whether the caption is a warning.
     """
 
     title: str
@@ -39,6 +41,7 @@ class SkeletonPane:
     skeleton: Skeleton | None
     step: int | None = None
     picked: int | None = None
+    warning: bool = False
 
 
 @dataclass(frozen=True)
@@ -77,9 +80,11 @@ def build_pane(
     return SkeletonPane(title, counts_text(skeleton), note, centre, skeleton, step, picked)
 
 
-def missing_pane(view: SkeletonView, centre: FloatArray, reason: str) -> SkeletonPane:
-    """Build the pane of a graph that is not there."""
-    return SkeletonPane(view_title(view), reason, "", centre, None)
+def missing_pane(
+    view: SkeletonView, centre: FloatArray, reason: str, *, warning: bool
+) -> SkeletonPane:
+    """Build the pane of a graph that is not there, or not yet."""
+    return SkeletonPane(view_title(view), reason, "", centre, None, warning=warning)
 
 
 def view_title(view: SkeletonView) -> str:

@@ -42,7 +42,7 @@ class Cameras:
     def ask_for_name(self) -> None:
         """Ask for a name and keep the camera under it, with the study."""
         view = self._window.session.study.view
-        dialog = self._dialog("Save the camera")
+        dialog = self._dialog("Save the camera", "Save")
         dialog.setTextValue(f"Camera {len(view.cameras) + 1}")
         dialog.textValueSelected.connect(self._save)
         dialog.open()
@@ -50,11 +50,11 @@ class Cameras:
 
     def ask_which_to_restore(self) -> None:
         """Ask for the name of a saved camera and go there."""
-        self._ask_which("Restore a camera", self._restore)
+        self._ask_which("Restore a camera", "Restore", self._restore)
 
     def ask_which_to_forget(self) -> None:
         """Ask for the name of a saved camera and forget it."""
-        self._ask_which("Forget a camera", self._forget)
+        self._ask_which("Forget a camera", "Forget", self._forget)
 
     def fill(self, menu: QMenu, first: int) -> None:
         """List the saved cameras in a menu, after its first entries."""
@@ -70,19 +70,20 @@ class Cameras:
             action.setStatusTip("Put the camera back to where it was saved")
             action.triggered.connect(lambda *_, camera=camera: self._place(pose_of(camera)))
 
-    def _ask_which(self, title: str, use: Callable[[str], None]) -> None:
+    def _ask_which(self, title: str, verb: str, use: Callable[[str], None]) -> None:
         """Ask for one of the saved cameras by its name."""
         cameras = self._window.session.study.view.cameras
-        dialog = self._dialog(title)
+        dialog = self._dialog(title, verb)
         dialog.setComboBoxItems([camera.name for camera in cameras])
         dialog.textValueSelected.connect(use)
         dialog.open()
 
-    def _dialog(self, title: str) -> QInputDialog:
+    def _dialog(self, title: str, verb: str) -> QInputDialog:
         dialog = QInputDialog(self._window)
         dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         dialog.setWindowTitle(title)
         dialog.setLabelText("Name")
+        dialog.setOkButtonText(verb)
         return dialog
 
     def _save(self, name: str) -> None:

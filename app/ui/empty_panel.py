@@ -11,7 +11,7 @@ from app.ui.surfaces import take_own_surface
 from core.io import SUPPORTED_READ, bundled_samples
 from core.study import SAMPLE_PREFIX
 
-_WIDTH = 420
+_WIDTH, _MARGIN = 420, 16
 
 
 class EmptyPanel(QWidget):
@@ -59,10 +59,12 @@ class EmptyPanel(QWidget):
 
     def _cover(self) -> None:
         self.setGeometry(self._viewport.rect())
+        self._choices.setFixedWidth(min(_WIDTH, self.width() - _MARGIN))
         self.raise_()
 
     def _fill(self) -> None:
-        title = QLabel("Open a model to compare denoisers on")
+        title = QLabel("Open a model to work on", wordWrap=True)
+        title.setAlignment(Qt.AlignmentFlag.AlignCenter)
         font = title.font()
         font.setPointSizeF(1.35 * font.pointSizeF())
         font.setBold(True)
@@ -70,7 +72,7 @@ class EmptyPanel(QWidget):
         formats = ", ".join(suffix.removeprefix(".").upper() for suffix in SUPPORTED_READ)
         column = QVBoxLayout(self._choices)
         column.setSpacing(10)
-        column.addWidget(title, 0, Qt.AlignmentFlag.AlignHCenter)
+        column.addWidget(title)
         column.addWidget(_centred(f"Drop a file on the window: {formats}, or a study."))
         column.addLayout(self._row({"open": "Open a file…", "gallery": "Gallery…"}))
         column.addSpacing(8)
@@ -84,7 +86,6 @@ class EmptyPanel(QWidget):
             self.buttons[sample.id] = button
             samples.addWidget(button)
         column.addLayout(samples)
-        self._choices.setFixedWidth(_WIDTH)
 
     def _row(self, commands: dict[str, str]) -> QHBoxLayout:
         row = QHBoxLayout()

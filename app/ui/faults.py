@@ -6,6 +6,7 @@ import threading
 import traceback
 from collections.abc import Callable
 from contextlib import suppress
+from textwrap import shorten
 from types import TracebackType
 
 from PySide6.QtCore import (
@@ -34,6 +35,7 @@ _LEVELS = {
     QtMsgType.QtFatalMsg: logging.CRITICAL,
 }
 _Role = QMessageBox.ButtonRole
+_MOST_LETTERS = 200
 
 
 class FaultReports(QObject):
@@ -125,7 +127,7 @@ class FaultReports(QObject):
 
 def plain_words(error: BaseException) -> str:
     """Say what happened and what it means, without a traceback."""
-    what = " ".join(str(error).split())[:200]
+    what = shorten(str(error), _MOST_LETTERS, placeholder=" …")
     return (
         f"{type(error).__name__}: {what or 'no more is known'}\n\n"
         "Your study is as it was, and you can go on working. If it happens again, please report "

@@ -71,7 +71,8 @@ class MainWindow(QMainWindow):
         fill_toolbar(self, self.actions_, menus)
         self.setStatusBar(StatusBar(self.session, self.actions_["cancel"]))
         self.view_commands.attach(self.actions_)
-        self.empty_panel = EmptyPanel(self, self.denoise.viewport)
+        views = (self.denoise.viewport, self.skeleton.viewport, self.statistics.view)
+        self.empty_panels = [EmptyPanel(self, view) for view in views]
         self._connect()
         self._restore()
         self._update_actions()

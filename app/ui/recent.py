@@ -5,28 +5,21 @@ from pathlib import Path
 
 from PySide6.QtCore import QSettings
 from PySide6.QtGui import QIcon
-from PySide6.QtWidgets import QMenu, QProxyStyle, QStyle, QStyleOption, QWidget
+from PySide6.QtWidgets import QMenu, QWidget
 
 from app.ui.action_book import escaped
 from app.ui.thumbnails import thumbnail
 
 _KEPT = "recent_files"
 _MOST = 10
-_ICON_WIDTH = 56
-
-
-class _LargeIcons(QProxyStyle):
-    """Style of a menu whose icons are pictures."""
-
-    def pixelMetric(
-        self,
-        metric: QStyle.PixelMetric,
-        option: QStyleOption | None = None,
-        widget: QWidget | None = None,
-    ) -> int:
-        if metric == QStyle.PixelMetric.PM_SmallIconSize:
-            return _ICON_WIDTH
-        return super().pixelMetric(metric, option, widget)
+# Icons that are pictures. Fusion draws an entry's icon in its own size, unless the sheet draws the
+# whole entry.
+_SHEET = """
+QMenu { icon-size: 56px; }
+QMenu::item { padding: 4px 20px 4px 8px; }
+QMenu::item:selected { background: palette(highlight); color: palette(highlighted-text); }
+QMenu::item:disabled { color: palette(placeholder-text); background: transparent; }
+"""
 
 
 class RecentFiles:
@@ -43,8 +36,7 @@ class RecentFiles:
     def __init__(self, open_: Callable[[str], None], parent: QWidget) -> None:
         self._open = open_
         self.menu = QMenu("Open &Recent", parent)
-        self._style = _LargeIcons("Fusion")
-        self.menu.setStyle(self._style)
+        self.menu.setStyleSheet(_SHEET)
         self.menu.setToolTipsVisible(True)
         # Filled when it opens: then the pictures are those that there are.
         self.menu.aboutToShow.connect(self.fill)

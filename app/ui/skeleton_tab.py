@@ -150,8 +150,9 @@ class SkeletonTab(QMainWindow):
         skeleton = self.views.skeleton(view)
         if skeleton is None:
             settings = self.session.study.skeleton.views[view]
+            problem = self.views.problem(view)
             waiting = "Cancelled." if self.views.is_cancelled(view) else "Drawing …"
-            return missing_pane(settings, centre, self.views.problem(view) or waiting)
+            return missing_pane(settings, centre, problem or waiting, warning=bool(problem))
         return build_pane(skeleton, centre, self.step, self.picked.get(view))
 
     def _on_study_changed(self, study: object, before: object) -> None:

@@ -62,6 +62,7 @@ class StatisticsSide(QWidget):
         self.tools.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.tools.setMenu(QMenu(self.tools))
         self._summary = QGridLayout()
+        self._tables: list[list[tuple[str, str]]] = []
         self._text = FaintLabel()
         self.go_on = IconButton("mdi6.play-circle-outline", "Go on computing")
         self._fill()
@@ -100,9 +101,12 @@ class StatisticsSide(QWidget):
 
     def show_summaries(self, summaries: Sequence[Summary]) -> None:
         """Show the numbers of one model or two side by side."""
+        tables = [summary_rows(summary) for summary in summaries]
+        if tables == self._tables:  # new labels would make the panel jump
+            return
+        self._tables = tables
         while item := self._summary.takeAt(0):
             item.widget().deleteLater()
-        tables = [summary_rows(summary) for summary in summaries]
         for row, cells in enumerate(zip(*tables, strict=True)):
             self._summary.addWidget(QLabel(_sentence(cells[0][0])), row, 0)
             for column, (_, value) in enumerate(cells):

@@ -26,15 +26,13 @@ _ROLES = {
 
 
 def set_mode(mode: Mode) -> None:
-    """Choose light, dark, or what the system says."""
-    QApplication.setStyle("Fusion")
+    """Choose light, dark, or what the system says; what stays the same is not set again."""
     QGuiApplication.styleHints().setColorScheme(_SCHEMES[mode])
     # Not every platform follows the request, so the palette is set as well.
     dark = mode == "dark" or (mode == "system" and system_is_dark())
-    QApplication.setPalette(_palette(dark=dark))
     _, base, *_, dim, highlight, _ = _ROLES[dark]
     sheet = style_sheet(dark=dark, ground=base, outline=dim, accent=highlight)
-    QApplication.instance().setStyleSheet(sheet)
+    _dress(_palette(dark=dark), sheet)
 
 
 def system_is_dark() -> bool:
@@ -45,6 +43,17 @@ def system_is_dark() -> bool:
 def current_theme() -> Theme:
     """Theme of the panes and plots that goes with the widgets' palette."""
     return DARK if QApplication.palette().color(_Role.Window).lightness() < 128 else LIGHT
+
+
+def _dress(palette: QPalette, sheet: str) -> None:
+    """Give all widgets a palette and a sheet; each of them that is new polishes every widget."""
+    application = QApplication.instance()
+    if not application.styleSheet():  # a sheet hides the name of the style below it
+        QApplication.setStyle("Fusion")
+    if QApplication.palette() != palette:
+        QApplication.setPalette(palette)
+    if application.styleSheet() != sheet:
+        application.setStyleSheet(sheet)
 
 
 def _palette(*, dark: bool) -> QPalette:

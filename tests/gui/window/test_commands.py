@@ -162,7 +162,8 @@ def choose_camera(user, title, name):
     dialogs = [d for d in user.window.findChildren(QInputDialog) if d.isVisible()]
     assert [d.windowTitle() for d in dialogs] == [title]
     dialogs[0].setTextValue(name)
-    dialogs[0].accept()
+    verb = title.split()[0]
+    user.qtbot.mouseClick(user.button(dialogs[0], verb), Qt.MouseButton.LeftButton)
 
 
 def test_saved_cameras_are_restored_and_forgotten_by_commands(user, ball_file, qtbot):
@@ -189,12 +190,17 @@ def test_saved_cameras_are_restored_and_forgotten_by_commands(user, ball_file, q
 
 
 def test_the_empty_window_tells_what_to_do(user):
-    panel = user.window.empty_panel
-    assert panel.isVisible()
-    assert panel.rect() == user.denoise.viewport.rect()
-    panel.buttons["double_torus"].click()
+    panels, tabs = user.window.empty_panels, user.window.tabs
+    for place, panel in enumerate(panels):
+        tabs.setCurrentIndex(place)
+        assert panel.isVisible()
+        assert panel.rect() == panel.parent().rect()
+        widest = max(button.geometry().right() for button in panel.buttons.values())
+        assert widest < panel.width()
+    tabs.setCurrentIndex(0)
+    panels[0].buttons["double_torus"].click()
     user.rest()
-    assert not panel.isVisible()
+    assert all(panel.isHidden() for panel in panels)
     assert user.captions()["mean"].startswith("k = 6 ")
 
 

@@ -9,6 +9,7 @@ from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QApplication, QMessageBox
 
 from app.logs import log_file, start_logging
+from app.ui.faults import plain_words
 from core.smoothing import METHODS
 from core.study_files import read_study_file
 
@@ -94,6 +95,12 @@ def test_after_an_error_in_a_slot_the_study_is_whole_and_can_be_saved(
     saved = read_study_file(file).study
     assert saved.choice("mean").iterations == 3
     assert saved.noise == study.noise
+
+
+def test_a_long_error_ends_between_two_words():
+    told = plain_words(RuntimeError("no implementation found " * 40)).splitlines()[0]
+    assert told.endswith((" implementation …", " found …", " no …"))
+    assert len(told) < 230
 
 
 def test_an_error_of_another_place_is_told_when_the_first_was_read(user, faults):

@@ -2,7 +2,7 @@
 
 import pytest
 from matplotlib.colors import to_rgba
-from PySide6.QtCore import QRegularExpression, QSettings, Qt
+from PySide6.QtCore import QEvent, QObject, QRegularExpression, QSettings, Qt
 from PySide6.QtGui import QColor, QGuiApplication, QPalette
 from PySide6.QtWidgets import QAbstractButton, QCheckBox
 
@@ -111,3 +111,26 @@ def test_a_chosen_theme_stays_whatever_the_system_says(user, system):
     assert user.window.actions_["theme_dark"].isChecked()
     user.window.actions_["theme_light"].trigger()
     assert not current_theme().dark
+
+
+class Polishing(QObject):
+    """Counts how often a widget gets another style."""
+
+    def __init__(self, widget):
+        super().__init__()
+        self.count = 0
+        widget.installEventFilter(self)
+
+    def eventFilter(self, _, event):  # noqa: N802 (the name is Qt's)
+        self.count += event.type() == QEvent.Type.StyleChange
+        return False
+
+
+def test_a_theme_that_is_there_already_is_not_set_again(user):
+    user.window.actions_["theme_dark"].trigger()
+    seen = Polishing(user.denoise.table)
+    for _ in range(2):
+        user.window.theme.refresh()
+    assert seen.count == 0
+    user.window.actions_["theme_light"].trigger()
+    assert seen.count > 0

@@ -56,7 +56,7 @@ def test_a_window_that_was_in_front_leaves_nothing_behind(user, ball_file, cover
 
 
 def test_the_empty_panel_stands_before_the_drawing_area(user):
-    panel = user.window.empty_panel
+    panel = user.window.empty_panels[0]
     button = panel.buttons["open"]
     ground = ground_of(panel)
     user.wait(lambda: colour_at(button, user.window, QPoint(-4, 4)) == ground)
