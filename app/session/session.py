@@ -45,6 +45,9 @@ class Session:
         Carries out what is saved, which closing waits for.
     exports : Jobs
         Carries out what is exported, which closing gives a moment and then leaves undone.
+    previews : Jobs
+        Composes what dialogs show; not listed, and nothing waits for it. One thread for all, since
+        Matplotlib opens its fonts anew for each.
     others : dict of str to Fingerprint
         What each file that is not one of the meshes was when it was read.
     """
@@ -76,6 +79,7 @@ class Session:
         self.jobs = Jobs(post, self.tasks)
         self.saving = Jobs(post, self.tasks, must_finish=True, patience=None)
         self.exports = Jobs(post, self.tasks, must_finish=True, patience=_EXPORT_PATIENCE)
+        self.previews = Jobs(post, patience=0)
         self._reader = MeshReader(budget)
         self._runs = StudyRuns(self.jobs, self.report, budget)
         self._runs.grown.connect(self.run_changed.emit)
@@ -123,6 +127,8 @@ class Session:
         self.jobs.close()
         self.saving.close()
         self.exports.close()
+        self.previews.tasks.cancel_all()
+        self.previews.close()
         self.tasks.cancel_all()
 
     def run(self, method: str) -> Run | None:

@@ -20,6 +20,7 @@ def start(model: str) -> int:
     start_logging()
     # Nearly all that is made until the window is there stays as long as the window. To look through
     # it for what does not takes a fifth of a second each time, and the window would stand still.
+    # From then on the window collects.
     gc.disable()
     QCoreApplication.setOrganizationName("Burnish")
     QCoreApplication.setApplicationName("Burnish")
@@ -33,7 +34,6 @@ def start(model: str) -> int:
     window.faults.install()
     window.show()
     gc.freeze()
-    gc.enable()
     window.files.open(model)
     offer_leftovers(window)
     try:

@@ -10,6 +10,7 @@ from app.session import Session
 from app.ui import dialogs, saving
 from app.ui.action_book import ActionBook, escaped
 from app.ui.actions import TABS
+from app.ui.collecting import Collector
 from app.ui.denoise_tab import DenoiseTab
 from app.ui.desk import Desk
 from app.ui.doctor_dialog import DoctorDialog
@@ -45,6 +46,7 @@ class MainWindow(QMainWindow):
         super().__init__()
         self.setWindowTitle("Burnish")
         self.setAcceptDrops(True)
+        self._collector = Collector(self)
         Uncovering(self)
         self.session = Session(Poster(self))
         self.denoise = DenoiseTab(self.session, current_theme())
@@ -104,6 +106,7 @@ class MainWindow(QMainWindow):
         self.denoise.close_graphics()
         self.skeleton.close_graphics()
         self.statistics.close_graphics()
+        self._collector.close()
         super().closeEvent(event)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:

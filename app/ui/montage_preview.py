@@ -15,7 +15,7 @@ from app.export.montage_plan import INCH, Ground, Montage
 from app.export.montage_source import Drawn, PictureSource
 from app.export.pictures import Picture, PictureError
 from app.scene.panes import Look
-from app.session import Jobs, Session
+from app.session import Session
 from app.session.jobs import progress_job
 from app.ui.controls import Coalesced
 from app.ui.exporting import Drawer
@@ -50,8 +50,7 @@ class MontagePreview(QWidget):
         self._image: QImage | None = None
         self._ground: Ground = "white"
         self._pictures: dict[tuple, Drawn] = {}
-        self._jobs = Jobs(session.post, patience=0)
-        session.closing.connect(self._jobs.close)
+        self._jobs = session.previews
         self._soon = Coalesced(self._draw, _WAIT_MS, self)
         self.setMinimumSize(360, 300)
 
@@ -69,7 +68,6 @@ class MontagePreview(QWidget):
         """Draw nothing more, and wait for nothing."""
         self._soon.stop()
         self._jobs.tasks.cancel_all()
-        self._jobs.close()
 
     def paintEvent(self, _: QPaintEvent) -> None:
         painter = QPainter(self)
@@ -110,7 +108,6 @@ class MontagePreview(QWidget):
         steps = _composed(montage, self._source, drawer(pictures))
         job = progress_job(steps, use, self._fail, title="Preview of the figure")
         job.on_cancel = drawer.close
-        self._session.closing.connect(drawer.close)
         self._jobs.start(job)
 
     def _show(self, montage: Montage, picture: Picture) -> None:

@@ -219,5 +219,5 @@ class Habits(Aims):
 
     def rest(self):
         milliseconds = self.random.choice((10, 50, 100, 300))
-        QTest.qWait(milliseconds)
+        hands.rest(milliseconds)
         return f"rest {milliseconds} ms"

@@ -91,7 +91,7 @@ class House:
             if top is None or top is self.window:
                 return
             top.close()
-            QTest.qWait(1)
+            hands.rest(1)
 
     def answer_file_dialog(self, path):
         """Enter a name into the file dialog that has been opened."""
@@ -108,7 +108,7 @@ class House:
             if time.monotonic() > end:
                 self.faults.found.append(f"Waited in vain for {what}.")
                 return
-            QTest.qWait(10)
+            hands.rest(10)
 
 
 def burnish_threads():

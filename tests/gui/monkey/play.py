@@ -17,7 +17,6 @@ import hands
 import world
 from habits import Habits
 from house import House, inhabit
-from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 _PIECE = 100
@@ -84,7 +83,7 @@ class Player:
         self._rescuer.begin()
         said = self._habits.act()
         self._rescuer.end()
-        QTest.qWait(1)
+        hands.rest(1)
         self._note(number, said, time.monotonic() - started)
         if not self.house.window.isVisible():
             self._habits.window = None

@@ -8,6 +8,7 @@ import json
 import os
 import time
 
+import hands
 import world
 from house import House, inhabit
 from PySide6.QtCore import Qt
@@ -72,7 +73,7 @@ class Worker:
         slider = tab.centre.resolutions[1].slider
         for key in [Qt.Key.Key_Left] * _STEPS + [Qt.Key.Key_Right] * _STEPS:
             QTest.keyClick(slider, key)
-            QTest.qWait(5)
+            hands.rest(5)
         self.house.wait(lambda: tab.views.is_settled, "the graph")
 
     def _look_at_the_statistics(self):

@@ -97,14 +97,13 @@ def test_a_dialog_that_is_closed_waits_for_nothing_and_hears_nothing(
     user, dialog, composer, gate, monkeypatch
 ):
     hold_up(user, dialog, composer)
-    shown, thread = [], dialog.preview._jobs._thread
+    shown, jobs = [], dialog.preview._jobs
     monkeypatch.setattr(montage_preview, "_image", lambda *_: shown.append(1))
     dialog.reject()
     assert not dialog.isVisible()
-    assert thread.is_alive()
+    assert jobs._unfinished
     gate.set()
-    thread.join(60)
-    user.qtbot.wait(50)
+    user.wait(lambda: not jobs._unfinished)
     assert not shown
 
 
