@@ -14,9 +14,10 @@ run:
 	@$(BIN)/burnish $(MODEL)
 
 # A process that crashes ends the run: pytest-xdist waits for ever after a crash in the last test of
-# a file. A test that hangs is ended with the stacks of its threads.
+# a file. A test that hangs is ended with the stacks of its threads. Three processes on two cores: the
+# windows' tests wait a quarter of their time.
 test: check
-	$(BIN)/pytest -n 2 --dist loadfile --no-loadscope-reorder --max-worker-restart=0 --timeout=300
+	$(BIN)/pytest -n 3 --dist loadfile --no-loadscope-reorder --max-worker-restart=0 --timeout=300
 
 check:
 	@sh .ci/setup test

@@ -5,6 +5,7 @@ from functools import cached_property
 import numpy as np
 import pytest
 
+from core.kernels import unsigned
 from core.mesh.geometry import face_normals
 from core.smoothing import METHODS
 from core.smoothing.median_faces import set_median_faces
@@ -114,7 +115,7 @@ def median_faces():
     """Face at the lower median angle of each ring."""
 
     def medians(mesh):
-        table, found = mesh.topology.face_ring, np.empty(len(mesh.faces), np.int32)
+        table, found = unsigned(*mesh.topology.face_ring), np.empty(len(mesh.faces), np.int32)
         set_median_faces(face_normals(mesh), 0, *table, found)
         return found
 

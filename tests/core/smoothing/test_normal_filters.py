@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from core.kernels import unsigned
 from core.mesh import TriangleMesh, primitives
 from core.smoothing import bilateral
 from core.smoothing.mean import set_area_vectors, set_mean_planes
@@ -11,21 +12,26 @@ from core.smoothing.normal_update import fit_vertices, set_areas_and_normals
 
 def test_areas_normals_and_fit(irregular, plain):
     areas, normals = np.empty(len(irregular.faces)), np.empty((len(irregular.faces), 3))
-    set_areas_and_normals(irregular.vertices, irregular.faces, areas, normals)
+    set_areas_and_normals(irregular.vertices, *unsigned(irregular.faces), areas, normals)
     assert areas == pytest.approx(plain.areas)
     assert normals == pytest.approx(plain.normals)
     planes = np.c_[normals, np.einsum("tx,tx->t", plain.centroids, normals)]
-    ours = fit_vertices(irregular.vertices, *irregular.topology.vertex_faces, areas, planes)
+    around = unsigned(*irregular.topology.vertex_faces)
+    ours = fit_vertices(irregular.vertices, *around, areas, planes)
     assert ours == pytest.approx(plain.fitted(normals))
 
 
 def test_mean_planes(irregular, plain):
-    planes, ring = np.empty((len(irregular.faces), 4)), irregular.topology.face_ring
-    areas, vectors = np.empty(len(irregular.faces)), np.empty((len(irregular.faces), 3))
-    set_area_vectors(irregular.vertices, irregular.faces, areas, vectors)
+    (faces,), ring = unsigned(irregular.faces), unsigned(*irregular.topology.face_ring)
+    planes, areas, vectors = (
+        np.empty((len(faces), 4)),
+        np.empty(len(faces)),
+        np.empty((len(faces), 3)),
+    )
+    set_area_vectors(irregular.vertices, faces, areas, vectors)
     assert areas == pytest.approx(plain.areas)
     assert vectors == pytest.approx(plain.area_vectors)
-    set_mean_planes(irregular.vertices, irregular.faces, areas, vectors, 0, *ring, planes)
+    set_mean_planes(irregular.vertices, faces, areas, vectors, 0, *ring, planes)
     assert planes[:, :3] == pytest.approx(plain.mean_normals)
     heights = np.einsum("tx,tx->t", plain.centroids, plain.mean_normals)
     assert planes[:, 3] == pytest.approx(heights)
