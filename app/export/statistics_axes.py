@@ -6,12 +6,13 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import FigureBase
+from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 from app.export.frame import FONT_SIZE
 from app.export.montage_plan import INCH
 from app.export.statistics_series import Series
-from app.export.wrapping import wrapped
+from app.export.wrapping import width_of, wrapped
 from app.scene.colours import Theme
 from core.statistics import AxisLabels, Histogram
 
@@ -21,6 +22,8 @@ _MARGINAL_LEFT = 1.03
 # Centimetres that numbers and labels take to one side.
 _AROUND = 1.4
 _WORDS_SHARE = 0.5
+# Centimetres of a line in the legend, with the gaps around it.
+_SAMPLE = 1.0
 
 
 def main_axes(figure: FigureBase, labels: AxisLabels, theme: Theme, *, share: float = 1.0) -> Axes:
@@ -93,35 +96,35 @@ def draw_beside(axes: Axes, histogram: Histogram, colour: str) -> None:
     axes.set_xlim(left=0)
 
 
-def add_legend(axes: Axes, series: Sequence[Series], theme: Theme) -> None:
-    """Name the models where there are two."""
+def add_legend(figure: FigureBase, series: Sequence[Series], theme: Theme) -> None:
+    """Name the models where there are two: above the axes, where they cover no curve."""
     if len(series) < 2:
         return
-    handles = [axes.plot([], [], color=one.colour, lw=5, alpha=0.8)[0] for one in series]
-    legend = axes.legend(
-        handles,
-        [one.name for one in series],
-        loc="upper right",
-        fontsize=FONT_SIZE,
-        labelcolor=theme.ink,
-        facecolor=theme.panel,
-        edgecolor="none",
-        framealpha=0.85,
-    )
-    legend.set_zorder(9)
+    room = _centimetres(figure)
+    names = ["\n".join(wrapped(one.name, room - _SAMPLE, FONT_SIZE)) for one in series]
+    beside = sum(width_of(one.name, FONT_SIZE) + _SAMPLE for one in series) < room
+    figure.legend(
+        [Line2D([], [], color=one.colour, lw=5, alpha=0.8) for one in series], names,
+        loc="outside upper left", ncols=len(series) if beside else 1, borderaxespad=0,
+        handlelength=1.2, columnspacing=1.2, fontsize=FONT_SIZE, labelcolor=theme.ink,
+        frameon=False,
+    )  # fmt: skip
 
 
 def say_refusals(axes: Axes, plot: str, series: Sequence[Series], theme: Theme) -> None:
     """Say within the axes why models have no curve there."""
     sentences = [f"{one.name}: {one.refusals[plot]}" for one in series if plot in one.refusals]
-    figure = axes.figure
-    dots = figure.get_figure(root=True).dpi
-    room = _WORDS_SHARE * figure.get_window_extent().width / dots * INCH
+    room = _WORDS_SHARE * _centimetres(axes.figure)
     lines = wrapped("\n".join(sentences), room, FONT_SIZE)
     axes.text(
         0.5, 0.5, "\n".join(lines), transform=axes.transAxes, ha="center", va="center",
         fontsize=FONT_SIZE, color=theme.ink,
     )  # fmt: skip
+
+
+def _centimetres(figure: FigureBase) -> float:
+    """Width of a figure or of a part of one."""
+    return figure.get_window_extent().width / figure.get_figure(root=True).dpi * INCH
 
 
 def spread_over_ranks(ranks: np.ndarray, values: np.ndarray, bins: int) -> Histogram:

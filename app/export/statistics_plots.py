@@ -99,7 +99,7 @@ def _draw_spectrum(figure: FigureBase, series: Sequence[Series], theme: Theme) -
             _draw_eigenvalues(axes, beside, one.spectrum, one)
     axes.set_ylim(bottom=0)
     say_refusals(axes, "spectrum", series, theme)
-    add_legend(axes, series, theme)
+    add_legend(figure, series, theme)
     return axes
 
 
@@ -118,7 +118,7 @@ def _draw_degree(figure: FigureBase, series: Sequence[Series], theme: Theme) -> 
         shift = (place - (len(series) - 1) / 2) * width
         axes.bar(one.degree.degrees + shift, one.degree.quantity, width, color=one.colour)
     degree_scale(axes, series)
-    add_legend(axes, series, theme)
+    add_legend(figure, series, theme)
     return axes
 
 
@@ -131,7 +131,7 @@ def _draw_assortativity(figure: FigureBase, series: Sequence[Series], theme: The
         axes.axhline(unrelated, color=one.colour, lw=1, ls=(0, (4, 3)), alpha=0.7)
     _make_height(axes, 0.5)
     degree_scale(axes, series)
-    add_legend(axes, series, theme)
+    add_legend(figure, series, theme)
     return axes
 
 
@@ -144,7 +144,7 @@ def _draw_clustering(figure: FigureBase, series: Sequence[Series], theme: Theme)
         _draw_by_degree(axes, beside, one.clustering, one)
     axes.set_ylim(0, 1.05)
     degree_scale(axes, series)
-    add_legend(axes, series, theme)
+    add_legend(figure, series, theme)
     return axes
 
 
@@ -166,7 +166,7 @@ def _draw_geodesic(figure: FigureBase, series: Sequence[Series], theme: Theme) -
     axes.ticklabel_format(axis="y", scilimits=(-3, 4), useMathText=True)
     axes.yaxis.get_offset_text().set(color=theme.ink, fontsize=FONT_SIZE)
     say_refusals(axes, "geodesic", series, theme)
-    add_legend(axes, series, theme)
+    add_legend(figure, series, theme)
     return axes
 
 

@@ -6,6 +6,11 @@ _INCH = 2.54
 _POINTS = 72
 
 
+def width_of(text: str, size: float) -> float:
+    """Width of a line in centimetres, with letters of a size in points."""
+    return text_width(text, size) / _POINTS * _INCH
+
+
 def wrapped(text: str, width: float, size: float) -> list[str]:
     """Part a text into lines, between words where that is possible.
 

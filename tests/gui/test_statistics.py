@@ -175,7 +175,7 @@ def test_second_model_from_a_file(qtbot, tab, tmp_path):
     assert [one.name for one in tab.work.series()] == ["ball", "ring"]
     assert tab.side.second.currentText() == "ring.ply"
     for plot in tab.plots.values():
-        labels = [text.get_text() for text in plot._axes.get_legend().get_texts()]
+        labels = [text.get_text() for text in plot._axes.figure.legends[0].get_texts()]
         assert labels == ["ball", "ring"]
     tab.second.choose("none")
     qtbot.waitUntil(lambda: len(tab.work.models) == 1)

@@ -148,8 +148,22 @@ def test_one_model_two_models_or_half_a_model_are_drawn(ball, plot, theme):
     for series in ([], [ball], [ball, other], [other]):
         axes = PLOTS[plot].draw(figure, series, theme)
         figure.canvas.draw()
-        assert (axes.get_legend() is not None) == (len(series) == 2)
+        assert len(axes.figure.legends) == (len(series) == 2)
         assert plot_words(plot, series) or not series
+
+
+@pytest.mark.parametrize("plot", PLOTS)
+@pytest.mark.parametrize("name", ["grid", "the scan of the second day, cleaned"])
+def test_legend_of_a_small_plot_covers_no_curve(ball, plot, name):
+    other = Series.of_vertices(name, SERIES_COLOURS[1], connectivity(primitives.grid()))
+    figure = Figure(figsize=(2.5, 1.7), dpi=100, layout="constrained")
+    axes = PLOTS[plot].draw(figure, [ball, other], LIGHT)
+    FigureCanvasAgg(figure).draw()
+    (legend,) = figure.legends
+    place = legend.get_window_extent()
+    assert place.x0 >= 0
+    assert place.x1 <= 250
+    assert place.y0 >= axes.get_window_extent().y1
 
 
 def test_bars_have_the_heights_of_the_shares(ball):
