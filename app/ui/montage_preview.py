@@ -48,6 +48,7 @@ class MontagePreview(QWidget):
         self._source, self._session = source, session
         self._montage: Montage | None = None
         self._image: QImage | None = None
+        self._words = ""
         self._ground: Ground = "white"
         self._pictures: dict[tuple, Drawn] = {}
         self._jobs = session.previews
@@ -61,7 +62,7 @@ class MontagePreview(QWidget):
 
     def show_montage(self, montage: Montage) -> None:
         """Draw a figure soon."""
-        self._montage = montage
+        self._montage, self._words = montage, "Drawing the figure…"
         self._soon.request()
 
     def close_work(self) -> None:
@@ -73,6 +74,7 @@ class MontagePreview(QWidget):
         painter = QPainter(self)
         painter.fillRect(self.rect(), self.palette().color(QPalette.ColorRole.Mid))
         if self._image is None:
+            painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, self._words)
             return
         ratio = self._image.devicePixelRatio()
         size = QSize(round(self._image.width() / ratio), round(self._image.height() / ratio))
@@ -122,7 +124,7 @@ class MontagePreview(QWidget):
         if not isinstance(error, PictureError):
             self._session.report(error)
             return
-        self._image = None
+        self._image, self._words = None, ""
         self.update()
         self.told.emit(str(error), False)
 

@@ -62,6 +62,19 @@ def size_of(dialog):
     return dialog.size_label.text()
 
 
+def test_until_there_is_a_figure_the_preview_says_that_it_is_drawn(user, ball_file, composer, gate):
+    user.open(ball_file)
+    composer.holds = True
+    dialog = MontageDialog.open_for(user.window)
+    user.wait(lambda: composer.begun)
+    written = len(np.unique(_pixels(dialog), axis=0))
+    composer.holds = False
+    gate.set()
+    user.wait(lambda: dialog.preview.image is not None)
+    dialog.close()
+    assert written > 1  # letters on the ground
+
+
 def test_while_a_figure_is_composed_the_window_takes_clicks_and_paints(user, dialog, composer):
     hold_up(user, dialog, composer)
     old, ticks, columns = dialog.preview.image, [], dialog.columns.value()
