@@ -26,6 +26,7 @@ _BAR_PIXELS = 84.0
 _RADIUS = 1.05
 _LIT_COLOUR = {False: "#e4007c", True: "#ffd23f"}
 _NOWHERE = Viewport(0.0, 0.0, 0.0, 0.0)
+_WHOLE = Viewport(0.0, 0.0, 1.0, 1.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,8 +75,9 @@ class StatisticsScene:
             renderer.AddActor(self._lights[place].actor)
             self._captions[place].add_to(renderer)
         self._share_camera()
-        for renderer in plotter.renderers:
+        for renderer in self._renderers:
             renderer.SetDraw(False)
+        self._bar_renderer.SetViewport(_WHOLE)
 
     def show(self, panes: Sequence[ModelPane], look: Look, size: tuple[int, int]) -> None:
         """Draw models in a window of `size` pixels."""
@@ -162,6 +164,9 @@ class StatisticsScene:
         self._keep_fitting(width / height)
         places = [*self.viewports, *[_NOWHERE] * (CAPACITY - len(self.viewports))]
         bar_place = Viewport(1 - bar, 0.0, 1.0, 1.0) if bar else _NOWHERE
+        if not self.viewports:
+            # Else nothing would be drawn, and the view were black.
+            bar_place = _WHOLE
         every = zip((*self._renderers, self._bar_renderer), (*places, bar_place), strict=True)
         for renderer, port in every:
             renderer.SetViewport(port)

@@ -69,6 +69,7 @@ class StatisticsTab(QWidget):
         self._fill_tools()
         self._lay_out()
         self._connect()
+        self.set_theme(theme)
 
     @property
     def theme(self) -> Theme:
@@ -78,6 +79,7 @@ class StatisticsTab(QWidget):
     def set_theme(self, theme: Theme) -> None:
         """Draw everything in a theme's colours."""
         self._theme = theme
+        self.view.set_ground(theme)
         self._redraw_soon.request()
 
     def save_layout(self) -> None:

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from vtkmodules.vtkRenderingCore import vtkCellPicker
 
 from app.scene.camera import OBLIQUE, CameraPose
+from app.scene.colours import Theme
 from app.scene.panes import Look
 from app.scene.statistics_scene import SCENE_SHAPE, ModelPane, StatisticsScene
 from app.scene.unit_ball import UnitFrame
@@ -47,6 +48,11 @@ class StatisticsView(QWidget):
 
     def sizeHint(self) -> QSize:
         return QSize(320, 270)
+
+    def set_ground(self, theme: Theme) -> None:
+        """Show the ground of a theme where there is no model yet."""
+        self.scene.set_ground(theme.ground, theme.ground_top)
+        self.interactor.update()
 
     def show_models(self, panes: Sequence[ModelPane], look: Look) -> None:
         """Draw models; the camera stays unless their number changes."""
@@ -139,11 +145,9 @@ class StatisticsView(QWidget):
     def _draw(self) -> None:
         if self._look is None:
             return
-        theme = self._look.theme
-        self.scene.set_ground(theme.ground, theme.ground_top)
+        self.set_ground(self._look.theme)
         self.scene.show(self.shown, self._look, self.interactor.pixel_size())
         self.scene.light(self._masks)
-        self.interactor.update()
 
     def _click(self, event: QMouseEvent) -> None:
         """Pick the vertex nearest to where the surface was clicked without dragging."""
