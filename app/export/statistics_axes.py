@@ -16,6 +16,9 @@ from app.export.wrapping import width_of, wrapped
 from app.scene.colours import Theme
 from core.statistics import AxisLabels, Histogram
 
+NOT_YET = "Not computed yet"
+"""What stands in place of a plot until its numbers are there."""
+
 _MARGINAL = 0.24
 _WIDE_DEGREES = 60
 _MARGINAL_LEFT = 1.03
@@ -109,6 +112,13 @@ def add_legend(figure: FigureBase, series: Sequence[Series], theme: Theme) -> No
         handlelength=1.2, columnspacing=1.2, fontsize=FONT_SIZE, labelcolor=theme.ink,
         frameon=False,
     )  # fmt: skip
+
+
+def say_pending(figure: FigureBase, theme: Theme) -> None:
+    """Clear a figure and say that there is no plot yet."""
+    figure.clear()
+    figure.set_facecolor(theme.panel)
+    figure.text(0.5, 0.5, NOT_YET, ha="center", va="center", fontsize=FONT_SIZE, color=theme.ink)
 
 
 def say_refusals(axes: Axes, plot: str, series: Sequence[Series], theme: Theme) -> None:

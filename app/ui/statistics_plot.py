@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
+from app.export.statistics_axes import say_pending
 from app.export.statistics_plots import PlotSpec
 from app.export.statistics_selection import Selection, Spot
 from app.export.statistics_series import Series
@@ -92,6 +93,7 @@ class StatisticsPlot(Cell):
         self.head.insertWidget(1, HelpButton(lambda: spec.id, f"Reference: {spec.title}"))
         self.series: list[Series] = []
         self._theme = LIGHT
+        self._is_made = False
         self._axes: Any = None
         self._background: Any = None
         self._mark: Artist | None = None
@@ -103,7 +105,7 @@ class StatisticsPlot(Cell):
         """Draw models in a theme's colours."""
         same = theme is self._theme and self._shown(self.series) == self._shown(series)
         self.series, self._theme = list(series), theme
-        if not same or self._axes is None:
+        if not (same and self._is_made):
             self._say(plot_words(self.id, self.series))
             self._redraw_soon.request()
 
@@ -128,15 +130,22 @@ class StatisticsPlot(Cell):
 
     def _shown(self, series: Sequence[Series]) -> list[Any]:
         """Objects that the plot is made of: equal ones make the same plot."""
-        parts = [(one.connectivity, one.spectrum, one.geodesic) for one in series]
-        chosen = {"spectrum": 1, "geodesic": 2}.get(self.id, 0)
         names = [(one.name, one.colour, one.relative, one.refusals.get(self.id)) for one in series]
-        return [*names, *(id(part[chosen]) for part in parts)]
+        return [*names, *(id(self._part(one)) for one in series)]
+
+    def _part(self, one: Series) -> Any:
+        """What of a model the plot is made of; None while it is being computed, or was refused."""
+        parts = {"spectrum": one.spectrum, "geodesic": one.geodesic}
+        return parts.get(self.id, one.connectivity)
 
     def _redraw(self) -> None:
-        self._mark = None
+        self._mark, self._is_made = None, True
         with self.canvas.making():
-            self._axes = self.spec.draw(self.canvas.figure, self.series, self._theme)
+            if any(self._part(one) or self.id in one.refusals for one in self.series):
+                self._axes = self.spec.draw(self.canvas.figure, self.series, self._theme)
+            else:
+                self._axes = None
+                say_pending(self.canvas.figure, self._theme)
         self.canvas.draw_idle()
 
     def _on_draw(self, _: DrawEvent) -> None:

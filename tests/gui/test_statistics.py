@@ -1,16 +1,24 @@
 """The Statistics tab: what it computes and when, hovering, a second model, saving, mesh tools."""
 
+from dataclasses import replace
+
 import pytest
 from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QGuiApplication, QMouseEvent
 
+from app.export.statistics_axes import NOT_YET
+from app.export.statistics_plots import PLOTS
+from app.export.statistics_series import SERIES_COLOURS, Series
 from app.scene.colours import DARK, LIGHT
 from app.ui import statistics_tools
+from app.ui.statistics_plot import StatisticsPlot
 from app.ui.statistics_saving import cell_writer, copy_numbers
 from app.ui.statistics_tab import StatisticsTab
 from app.ui.statistics_work import Model
+from core import mesh_statistics
 from core.io import save_mesh
 from core.mesh import primitives
+from core.statistics import connectivity
 
 pytestmark = pytest.mark.gui
 
@@ -87,6 +95,37 @@ def test_all_five_plots_come(tab):
         assert plot.isVisible()
         assert len(plot.words.text()) > 40
         assert plot._axes.get_xlabel()
+
+
+def test_each_plot_is_drawn_once(qtbot, session, shown):
+    tab, drawn = StatisticsTab(session, LIGHT), []
+    for plot in tab.plots.values():
+        plot.spec = replace(plot.spec, draw=noted(plot.spec, drawn))
+    shown(tab, 1280, 760)
+    settle(qtbot, tab)
+    tab.close_graphics()
+    assert sorted(drawn) == sorted(tab.plots)
+
+
+def noted(spec, drawn):
+    def draw(*arguments):
+        drawn.append(spec.id)
+        return spec.draw(*arguments)
+
+    return draw
+
+
+@pytest.mark.parametrize("id_", ["spectrum", "geodesic"])
+def test_a_plot_that_is_not_computed_yet_says_so(qtbot, shown, id_):
+    mesh = primitives.sphere(1)
+    plot = StatisticsPlot(PLOTS[id_])
+    shown(plot, 320, 270)
+    half = Series.of_vertices("ball", SERIES_COLOURS[0], connectivity(mesh))
+    plot.show_series([half], LIGHT)
+    qtbot.waitUntil(lambda: [text.get_text() for text in plot.canvas.figure.texts] == [NOT_YET])
+    plot.show_series([Series.of_statistics("ball", mesh_statistics(mesh))], LIGHT)
+    qtbot.waitUntil(lambda: bool(plot.canvas.figure.axes))
+    assert not plot.canvas.figure.texts
 
 
 def test_summary_is_shown(tab):
