@@ -59,7 +59,7 @@ class EmptyPanel(QWidget):
 
     def _cover(self) -> None:
         self.setGeometry(self._viewport.rect())
-        self._choices.setFixedWidth(min(_WIDTH, self.width() - _MARGIN))
+        self._choices.setFixedWidth(max(min(_WIDTH, self.width() - _MARGIN), 0))
         self.raise_()
 
     def _fill(self) -> None:

@@ -63,6 +63,13 @@ def test_the_empty_panel_stands_before_the_drawing_area(user):
     user.wait(lambda: colour_at(button, user.window, QPoint(8, 8)) != ground)
 
 
+def test_the_empty_panel_fits_into_any_room(user, qtlog):
+    panel = user.window.empty_panels[0]
+    panel.parentWidget().resize(4, 4)
+    assert panel.size() == panel.parentWidget().size()
+    assert not qtlog.records  # Qt complains of a negative width
+
+
 @pytest.mark.parametrize("mode", ["light", "dark"])
 def test_a_plot_without_curves_has_the_ground_of_the_window(user, mode):
     user.window.actions_[f"theme_{mode}"].trigger()
