@@ -6,8 +6,7 @@ file numbers its vertices otherwise they take several times as long; what is han
 order of the file.
 """
 
-import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -17,11 +16,11 @@ from core.arrays import FloatArray
 from core.doctor import repaired
 from core.file_order import FileOrderEvaluator, file_order_evaluator
 from core.mesh import TriangleMesh
-from core.mesh.ordering import Numbering
 from core.metrics import metrics_in
 from core.models import matched, read_model
 from core.noise import add_noise
-from core.smoothing import DivergenceError, DivergenceGuard, method_spec
+from core.smoothing import DivergenceError
+from core.snapshots import Snapshot, iterations, measured
 from core.study import MethodChoice, Study
 
 
@@ -56,63 +55,28 @@ class Comparison:
         """Return each metric of a mesh with these positions."""
         return {id_: evaluator.value(vertices) for id_, evaluator in self.evaluators.items()}
 
-    def snapshots(self, choice: MethodChoice) -> Iterator["Snapshot | None"]:
-        """Yield the state after iteration 1, 2, 3 …, without end; None while one takes long.
+    def snapshots(
+        self, choice: MethodChoice, wanted: Callable[[], int] | None = None
+    ) -> Iterator[Snapshot | None]:
+        """Yield the state after iteration 1, 2, 3 …, without end; None while there is none yet.
+
+        Parameters
+        ----------
+        choice : MethodChoice
+            Method and parameters.
+        wanted : callable
+            Returns the iteration that is to be reached, where that may change; no snapshot waits
+            for one beyond it.
 
         Raises
         ------
         DivergenceError
             When the run diverges; the snapshot before is the last good one.
         """
-        noisy = self.noisy.along_surface()
-        numbering = self.noisy.topology.ordering.vertices
-        guard = DivergenceGuard(noisy)
-        positions = method_spec(choice.method).steps(noisy, choice.settings)
-        iteration, seconds = 1, 0.0
-        while True:
-            # Not the clock on the wall: beside a window that is drawing, this thread waits a lot.
-            started = time.thread_time()
-            vertices = next(positions)
-            seconds += time.thread_time() - started
-            if vertices is None:
-                yield None
-                continue
-            if not guard.allows(vertices):
-                raise DivergenceError(iteration)
-            errors = {id_: e.along_surface.value(vertices) for id_, e in self.evaluators.items()}
-            yield Snapshot(iteration, errors, seconds, vertices, numbering)
-            iteration, seconds = iteration + 1, 0.0
-
-
-@dataclass(frozen=True, eq=False)
-class Snapshot:
-    """State of a run after one iteration.
-
-    Attributes
-    ----------
-    iteration : int
-        Counted from 1.
-    errors : dict of str to float
-        Each metric against the original.
-    seconds : float
-        Processor time that the calling thread spent on the iteration, without the metrics; the
-        parallel loops' other threads work at the same time.
-    along_surface : (m, 3) float64 ndarray
-        Positions as the method gave them.
-    numbering : Numbering
-        Of these positions.
-    """
-
-    iteration: int
-    errors: dict[str, float]
-    seconds: float
-    along_surface: FloatArray
-    numbering: Numbering
-
-    @property
-    def vertices(self) -> FloatArray:
-        """Positions in the order of the file, (m, 3)."""
-        return self.numbering.outward(self.along_surface)
+        evaluators = {id_: e.along_surface for id_, e in self.evaluators.items()}
+        return measured(
+            iterations(self.noisy, choice), evaluators, wanted or (lambda: choice.iterations)
+        )
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,4 +1,4 @@
-"""What :mod:`core.lanes` is compiled to: LLVM's vectors of four double precision numbers.
+"""What :mod:`core.lanes` is compiled to: a number, or LLVM's vector of four.
 
 Kernels whose machine code is on disk do not notice a change in this file: delete it then.
 """
@@ -10,19 +10,32 @@ from typing import Any, TypeVar, cast
 from llvmlite import ir
 from numba import types
 from numba.core import cgutils
-from numba.extending import intrinsic, lower_builtin, models, register_model, type_callable
+from numba.core.typeconv import Conversion
+from numba.extending import (
+    intrinsic,
+    lower_builtin,
+    lower_cast,
+    models,
+    register_model,
+    type_callable,
+)
+
+from core.lanes import WIDTH
 
 F = TypeVar("F", bound=Callable[..., Any])
 
-_VECTOR = ir.VectorType(ir.DoubleType(), 4)
-_FLAGS = ir.VectorType(ir.IntType(1), 4)
+_VECTOR = ir.VectorType(ir.DoubleType(), WIDTH)
 _PLACE = ir.IntType(32)
 _UNDEFINED = ir.Constant(_VECTOR, ir.Undefined)
 _BYTES = 8
 
 
 class LanesType(types.Type):  # type: ignore[misc]
-    """Type of :class:`core.lanes.Lanes` in a kernel."""
+    """Type of four numbers in a kernel; one number becomes four equal ones where it has to."""
+
+    def can_convert_from(self, context: Any, other: types.Type) -> Any:
+        """Tell the compiler that a number can stand for four."""
+        return Conversion.safe if other == types.float64 else None
 
 
 class _LanesModel(models.PrimitiveModel):  # type: ignore[misc]
@@ -34,11 +47,22 @@ register_model(LanesType)(_LanesModel)
 _LANES = LanesType("Lanes")
 
 
+@lower_cast(types.Float, LanesType)  # type: ignore[untyped-decorator]
+def _repeated(context: Any, builder: Any, number: Any, lanes: Any, value: Any) -> Any:
+    first = builder.insert_element(_UNDEFINED, value, _PLACE(0))
+    places = ir.Constant(ir.VectorType(_PLACE, WIDTH), [0] * WIDTH)
+    return builder.shuffle_vector(first, _UNDEFINED, places)
+
+
 def _declare(symbol: Callable[..., Any], instruction: str) -> None:
-    """Let an operator between lanes be one instruction."""
+    """Let an operator between lanes, or between them and a number, be one instruction."""
 
     def types_of(context: Any) -> Callable[..., Any]:
-        return lambda a, b: _LANES if a == b == _LANES else None
+        def lanes(a: types.Type, b: types.Type) -> Any:
+            known = {a, b} <= {_LANES, types.float64} and _LANES in (a, b)
+            return _LANES(_LANES, _LANES) if known else None
+
+        return lanes
 
     def code(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         return getattr(builder, instruction)(*arguments)
@@ -50,6 +74,7 @@ def _declare(symbol: Callable[..., Any], instruction: str) -> None:
 _declare(operator.add, "fadd")
 _declare(operator.sub, "fsub")
 _declare(operator.mul, "fmul")
+_declare(operator.truediv, "fdiv")
 
 
 def _lane_function(function: F) -> F:
@@ -57,100 +82,64 @@ def _lane_function(function: F) -> F:
     return cast("F", intrinsic(function))
 
 
-def _is_table(array: Any) -> bool:
-    """Whether it is an array of numbers whose rows lie one after the other."""
-    is_array = isinstance(array, types.Array) and array.dtype == types.float64
-    return is_array and (array.ndim, array.layout) == (2, "C")
+def _kind(array: Any, dimensions: int) -> types.Type | None:
+    """What an array holds of one mesh, which has so many dimensions, or of four; else None."""
+    if not isinstance(array, types.Array) or (array.dtype, array.layout) != (types.float64, "C"):
+        return None
+    return {dimensions: types.float64, dimensions + 1: _LANES}.get(array.ndim)
 
 
-def _address(context: Any, builder: Any, signature: Any, arguments: Any, width: int) -> Any:
-    """Where row i of an array of `width` columns begins."""
-    table = context.make_array(signature.args[0])(context, builder, arguments[0])
-    first = builder.mul(arguments[1], ir.IntType(64)(width))
-    return builder.bitcast(builder.gep(table.data, [first]), _VECTOR.as_pointer())
+def _address(context: Any, builder: Any, array: Any, value: Any, kind: Any, place: Any) -> Any:
+    """Where the number or the four at some place of an array are."""
+    data = context.make_array(array)(context, builder, value).data
+    if kind == types.float64:
+        return builder.gep(data, [place])
+    first = builder.gep(data, [builder.mul(place, ir.IntType(64)(WIDTH))])
+    return builder.bitcast(first, _VECTOR.as_pointer())
+
+
+def _load(builder: Any, address: Any) -> Any:
+    value = builder.load(address)
+    value.align = _BYTES
+    return value
 
 
 @_lane_function
 def row(typing: Any, rows: Any, i: Any) -> Any:
     """See :data:`core.lanes.row`."""
+    kind = _kind(rows, 1)
 
     def code(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        vector = builder.load(_address(context, builder, signature, arguments, 4))
-        vector.align = _BYTES
-        return vector
+        return _load(builder, _address(context, builder, rows, arguments[0], kind, arguments[1]))
 
-    return (_LANES(rows, types.uint64), code) if _is_table(rows) else None
+    return (kind(rows, types.uint64), code) if kind else None
 
 
 @_lane_function
-def xyz(typing: Any, points: Any, i: Any) -> Any:
-    """See :data:`core.lanes.xyz`. Nothing may be read behind the last row, so there is a mask."""
+def xyz(typing: Any, positions: Any, i: Any) -> Any:
+    """See :data:`core.lanes.xyz`."""
+    kind = _kind(positions, 2)
 
     def code(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        address = _address(context, builder, signature, arguments, 3)
-        kind = ir.FunctionType(_VECTOR, [address.type, _PLACE, _FLAGS, _VECTOR])
-        name = "llvm.masked.load.v4f64.p0"
-        load = cgutils.get_or_insert_function(builder.module, kind, name)
-        mask, zeros = _FLAGS([1, 1, 1, 0]), _VECTOR([0.0] * 4)
-        return builder.call(load, [address, _PLACE(_BYTES), mask, zeros])
+        first = builder.mul(arguments[1], ir.IntType(64)(3))
+        places = [builder.add(first, ir.IntType(64)(x)) for x in range(3)]
+        parts = [
+            _load(builder, _address(context, builder, positions, arguments[0], kind, place))
+            for place in places
+        ]
+        return cgutils.pack_array(builder, parts)
 
-    return (_LANES(points, types.uint64), code) if _is_table(points) else None
+    return (types.UniTuple(kind, 3)(positions, types.uint64), code) if kind else None
 
 
 @_lane_function
-def set_row(typing: Any, rows: Any, i: Any, lanes: Any) -> Any:
+def set_row(typing: Any, rows: Any, i: Any, number: Any) -> Any:
     """See :data:`core.lanes.set_row`."""
+    kind = _kind(rows, 1)
 
     def code(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        address = _address(context, builder, signature, arguments, 4)
+        address = _address(context, builder, rows, arguments[0], kind, arguments[1])
         builder.store(arguments[2], address).align = _BYTES
         return context.get_dummy_value()
 
-    return (types.void(rows, types.uint64, _LANES), code) if _is_table(rows) else None
-
-
-@_lane_function
-def every(typing: Any, number: Any) -> Any:
-    """See :data:`core.lanes.every`."""
-
-    def code(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        first = builder.insert_element(_UNDEFINED, arguments[0], _PLACE(0))
-        return _shuffled(builder, first, (0, 0, 0, 0))
-
-    return _LANES(types.float64), code
-
-
-@_lane_function
-def with_fourth(typing: Any, lanes: Any, number: Any) -> Any:
-    """See :data:`core.lanes.with_fourth`."""
-
-    def code(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        return builder.insert_element(*arguments, _PLACE(3))
-
-    return _LANES(_LANES, types.float64), code
-
-
-@_lane_function
-def turned(typing: Any, lanes: Any) -> Any:
-    """See :data:`core.lanes.turned`."""
-
-    def code(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        return _shuffled(builder, arguments[0], (1, 2, 0, 3))
-
-    return _LANES(_LANES), code
-
-
-@_lane_function
-def numbers(typing: Any, lanes: Any) -> Any:
-    """See :data:`core.lanes.numbers`."""
-
-    def code(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        elements = [builder.extract_element(arguments[0], _PLACE(k)) for k in range(4)]
-        return cgutils.pack_array(builder, elements)
-
-    return types.UniTuple(types.float64, 4)(_LANES), code
-
-
-def _shuffled(builder: Any, vector: Any, order: tuple[int, ...]) -> Any:
-    places = ir.Constant(ir.VectorType(_PLACE, 4), list(order))
-    return builder.shuffle_vector(vector, _UNDEFINED, places)
+    return (types.void(rows, types.uint64, kind), code) if kind else None

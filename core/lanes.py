@@ -1,25 +1,34 @@
-"""Four numbers side by side, for kernels: the x, y and z of a vertex and one number more.
+"""One mesh or four of the same faces at once, for kernels that are written for one.
 
-They are one vector of the processor, so a kernel that follows rings takes one instruction where
-three coordinates take three. The compiler does not find that by itself: numba leaves LLVM's
-vectoriser for straight-line code off, because it has miscompiled. :mod:`core.lane_code` says what
+Four meshes stand side by side in the last place of an array: positions are (m, 3) or (m, 3, 4),
+numbers of vertices (m,) or (m, 4). A kernel reads and writes them with the functions here. Of one
+mesh it gets plain numbers; of four it gets :class:`Lanes`, one vector of the processor, so that one
+instruction does for four meshes what it does for one, and the numbers of neighbours and corners are
+read once. Both are the same formula in the same order, so both give the same results.
+
+The compiler does not find vectors by itself in loops over rings. :mod:`core.lane_code` says what
 each of these functions is compiled to; they can be called in kernels only.
 """
 
-from collections.abc import Callable
-from typing import Any, Protocol
+from collections.abc import Callable, Sequence
+from typing import Any, SupportsIndex, TypeAlias
+
+import numpy as np
 
 from core.arrays import FloatArray
+from core.kernels import parallel_kernel, prange
 
-__all__ = ["Lanes", "every", "numbers", "row", "set_row", "turned", "with_fourth", "xyz"]
+__all__ = ["WIDTH", "Lanes", "Point", "row", "set_row", "side_by_side", "totals", "xyz"]
 
+WIDTH = 4
+"""So many meshes stand side by side."""
 
-class Lanes(Protocol):
-    """Four numbers, added, subtracted and multiplied each with its own."""
+Lanes: TypeAlias = float
+"""A number or four. Each of four is added, subtracted, multiplied and divided with its own, or all
+with one number; to who checks types both are one."""
 
-    def __add__(self, other: "Lanes") -> "Lanes": ...
-    def __sub__(self, other: "Lanes") -> "Lanes": ...
-    def __mul__(self, other: "Lanes") -> "Lanes": ...
+Point: TypeAlias = tuple[Lanes, Lanes, Lanes]
+"""x, y and z."""
 
 
 class _InKernels:
@@ -47,23 +56,40 @@ def _in_kernels(name: str) -> Any:
     return _InKernels(name)
 
 
-xyz: Callable[[FloatArray, int], Lanes] = _in_kernels("xyz")
-"""Row i of an (m, 3) array in C order, and 0."""
+xyz: Callable[[FloatArray, SupportsIndex], Point] = _in_kernels("xyz")
+"""The x, the y and the z of vertex i, of positions (m, 3) or (m, 3, 4) in C order."""
 
-row: Callable[[FloatArray, int], Lanes] = _in_kernels("row")
-"""Row i of an (m, 4) array in C order."""
+row: Callable[[FloatArray, SupportsIndex], Lanes] = _in_kernels("row")
+"""Number i of an array (m,), or row i of one (m, 4) in C order."""
 
-set_row: Callable[[FloatArray, int, Lanes], None] = _in_kernels("set_row")
-"""Write row i of an (m, 4) array in C order."""
+set_row: Callable[[FloatArray, SupportsIndex, Lanes], None] = _in_kernels("set_row")
+"""Write what :data:`row` reads."""
 
-every: Callable[[float], Lanes] = _in_kernels("every")
-"""One number four times."""
 
-with_fourth: Callable[[Lanes, float], Lanes] = _in_kernels("with_fourth")
-"""The x, y and z of lanes, and a number."""
+@parallel_kernel
+def _interleave(
+    rows: FloatArray, a: FloatArray, b: FloatArray, c: FloatArray, d: FloatArray
+) -> None:
+    """Note four arrays (k,) as the columns of one (k, 4)."""
+    for i in prange(np.uint64(len(a))):
+        rows[i, 0], rows[i, 1], rows[i, 2], rows[i, 3] = a[i], b[i], c[i], d[i]
 
-turned: Callable[[Lanes], Lanes] = _in_kernels("turned")
-"""y, z, x and the fourth; ``a * turned(b) - turned(a) * b`` is z, x, y of the cross product."""
 
-numbers: Callable[[Lanes], tuple[float, float, float, float]] = _in_kernels("numbers")
-"""The four numbers one by one."""
+def side_by_side(meshes: Sequence[FloatArray], room: FloatArray | None = None) -> FloatArray:
+    """Return the positions (m, 3) of one to four meshes as evaluators take them.
+
+    Those of one as they are, those of more as (m, 3, 4), where the last one fills up. `room` is
+    where the latter are put, if it is given.
+    """
+    if len(meshes) == 1:
+        return np.ascontiguousarray(meshes[0])
+    positions = np.empty((len(meshes[0]), 3, WIDTH)) if room is None else room
+    filled = [*meshes, *[meshes[-1]] * (WIDTH - len(meshes))]
+    _interleave(positions.reshape(-1, WIDTH), *(np.ravel(mesh) for mesh in filled))
+    return positions
+
+
+def totals(sums: FloatArray) -> FloatArray:
+    """Return the sum of numbers (k,), or of each column of (k, 4) in the same order."""
+    result: FloatArray = np.ascontiguousarray(sums.T).sum(axis=-1)
+    return result

@@ -3,13 +3,15 @@
 from collections import OrderedDict
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from core.arrays import FloatArray
-from core.comparison import Comparison, Snapshot
+from core.comparison import Comparison
 from core.smoothing import DivergenceError
+from core.snapshots import Snapshot
 from core.study import MethodChoice
 
 RunKey = tuple[str, str]
@@ -129,22 +131,35 @@ class Run:
         return replace(self, positions=(*before, position, *after))
 
 
+Snapshots = Iterator[Snapshot | None]
+
+
 class Source:
     """The worker's end of a run: advances it, and goes on later where it stopped.
 
     `ended` says that no more will come, because the run diverged or failed.
+
+    Parameters
+    ----------
+    begin : callable
+        Gets a function that returns the iteration to be reached, and returns the snapshots.
     """
 
-    def __init__(self, snapshots: Iterator[Snapshot | None]) -> None:
-        self._snapshots = snapshots
+    def __init__(self, begin: Callable[[Callable[[], int]], Snapshots]) -> None:
+        self._target: Callable[[], int] = lambda: 0
+        self._snapshots = begin(self._wanted)
         self._reached = 0
         self.ended = False
+
+    def _wanted(self) -> int:
+        return self._target()
 
     def advance(self, target: Callable[[], int]) -> Iterator[Snapshot | DivergenceError | None]:
         """Yield snapshots until the iteration that `target` asks for, which may change.
 
-        None while an iteration takes long.
+        None while there is none yet.
         """
+        self._target = target
         while not self.ended and self._reached < target():
             try:
                 snapshot = next(self._snapshots)
@@ -183,7 +198,10 @@ class RunStore:
     ) -> tuple[Run, Source]:
         """Return a run and its source, begun anew where there is none; marks it as used."""
         if key not in self._entries:
-            self._entries[key] = Run.begin(comparison), Source(comparison.snapshots(choice))
+            self._entries[key] = (
+                Run.begin(comparison),
+                Source(partial(comparison.snapshots, choice)),
+            )
         self._entries.move_to_end(key)
         return self._entries[key]
 

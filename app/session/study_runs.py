@@ -9,8 +9,8 @@ from psygnal import Signal
 from app.session.jobs import Job, Jobs
 from app.session.meshes import Meshes
 from app.session.runs import Run, RunKey, RunStore
-from core.comparison import Snapshot
 from core.smoothing import METHODS, DivergenceError
+from core.snapshots import Snapshot
 from core.study import MethodChoice, Study
 
 Steps = Iterator[Snapshot | DivergenceError | None]
@@ -107,7 +107,8 @@ class StudyRuns:
         if run.computed < choice.iterations and not source.ended:
             self._start(key, choice, source.advance(lambda: self._target(key)))
         elif not run.holds(min(choice.iterations, run.computed)):
-            self._start(key, choice, self._again(key, comparison.snapshots(choice)))
+            snapshots = comparison.snapshots(choice, lambda: self._target(key))
+            self._start(key, choice, self._again(key, snapshots))
 
     def _again(self, key: RunKey, snapshots: Iterator[Snapshot | None]) -> Steps:
         for snapshot in snapshots:

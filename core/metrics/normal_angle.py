@@ -4,93 +4,112 @@ import numpy as np
 
 from core.arrays import FloatArray, IntArray
 from core.kernels import kernel, parallel_kernel, prange, unsigned
-from core.lanes import every, numbers, row, turned, xyz
+from core.lanes import Lanes, Point, row, set_row, totals, xyz
 from core.mesh import TriangleMesh
 from core.metrics.arctangent import angle_of
-from core.metrics.spec import MetricSpec
-
-Rows = tuple[FloatArray, FloatArray, FloatArray]
-"""The x, the y and the z of vectors: side by side they compile to vector instructions."""
+from core.metrics.spec import Evaluator, MetricSpec
 
 # So many faces side by side stay in the second cache; fewer, and their arrays cost too much.
 _BLOCK = 1024
 
 
 @kernel
-def _set_face_vectors(vertices: FloatArray, faces: IntArray, vectors: Rows) -> None:
-    """Note twice the area times the unit normal of each face.
+def _face_vector(positions: FloatArray, faces: IntArray, t: int) -> Point:
+    """Twice the area times the unit normal of face t."""
+    i, j, k = faces[t]
+    (x, y, z), (ax, ay, az), (bx, by, bz) = (
+        xyz(positions, i),
+        xyz(positions, j),
+        xyz(positions, k),
+    )
+    ax, ay, az, bx, by, bz = ax - x, ay - y, az - z, bx - x, by - y, bz - z
+    return ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
 
-    Its z stands first, then x, then y: that saves turning it and is the same for both meshes, so
-    the angle is not changed.
-    """
-    x, y, z = vectors
+
+@kernel
+def _face_vectors(vertices: FloatArray, faces: IntArray) -> FloatArray:
+    """Twice the area times the unit normal of each face of one mesh, (n, 3)."""
+    vectors = np.empty((len(faces), 3))
     for t in range(np.uint64(len(faces))):
-        i, j, k = faces[t]
-        corner = xyz(vertices, i)
-        a, b = xyz(vertices, j) - corner, xyz(vertices, k) - corner
-        x[t], y[t], z[t], _ = numbers(a * turned(b) - turned(a) * b)
+        vectors[t, 0], vectors[t, 1], vectors[t, 2] = _face_vector(vertices, faces, t)
+    return vectors
 
 
 @kernel
-def _set_angles(a: Rows, b: Rows, angles: FloatArray) -> None:
-    """Note the angle ∠(a, b) of each pair, from ‖a × b‖ and ⟨a, b⟩; 0 where one has no length."""
-    (ax, ay, az), (bx, by, bz) = a, b
-    for t in range(len(angles)):
-        x = ay[t] * bz[t] - az[t] * by[t]
-        y = az[t] * bx[t] - ax[t] * bz[t]
-        z = ax[t] * by[t] - ay[t] * bx[t]
-        product = ax[t] * bx[t] + ay[t] * by[t] + az[t] * bz[t]
-        angles[t] = angle_of(np.sqrt(x * x + y * y + z * z), product)
+def _set_products(
+    positions: FloatArray,
+    faces: IntArray,
+    vectors: FloatArray,
+    squares: FloatArray,
+    products: FloatArray,
+) -> None:
+    """Note ‖n × n̂‖² and ⟨n, n̂⟩ of each face, n̂ from the vectors."""
+    for t in range(np.uint64(len(faces))):
+        (x, y, z), (a, b, c) = _face_vector(positions, faces, t), xyz(vectors, t)
+        sx, sy, sz = y * c - z * b, z * a - x * c, x * b - y * a
+        set_row(squares, t, sx * sx + sy * sy + sz * sz)
+        set_row(products, t, x * a + y * b + z * c)
 
 
 @kernel
-def _sum(rows: FloatArray) -> float:
-    """Σ of all numbers of an (r, 4) array; four sums, because each has to wait for itself."""
-    total = every(0.0)
-    for i in range(len(rows)):
-        total = total + row(rows, i)
-    a, b, c, d = numbers(total)
-    return a + b + c + d
+def _set_angles(squares: FloatArray, products: FloatArray, angles: FloatArray) -> None:
+    """Note the angle of each sine² and cosine; three flat arrays compile to vector instructions."""
+    for k in range(len(angles)):
+        angles[k] = angle_of(np.sqrt(squares[k]), products[k])
+
+
+@kernel
+def _sum(rows: FloatArray) -> Lanes:
+    """Σ of 4k rows; four sums, because each has to wait for itself."""
+    a = b = c = d = 0.0
+    for k in range(0, len(rows), 4):
+        a = a + row(rows, k)
+        b = b + row(rows, k + 1)
+        c = c + row(rows, k + 2)
+        d = d + row(rows, k + 3)
+    return (a + b) + (c + d)
+
+
+@kernel
+def _block_angles(positions: FloatArray, faces: IntArray, vectors: FloatArray) -> Lanes:
+    """Σᵢ ∠(n(tᵢ), n(t̂ᵢ)) of at most a block of faces, in radians."""
+    shape, n = (_BLOCK, *positions.shape[2:]), len(faces)
+    squares, products, angles = np.zeros(shape), np.zeros(shape), np.empty(shape)
+    _set_products(positions, faces, vectors, squares[:n], products[:n])
+    _set_angles(squares.reshape(-1), products.reshape(-1), angles.reshape(-1))
+    return _sum(angles)
 
 
 @parallel_kernel
-def _total_angle(vertices: FloatArray, faces: IntArray, vectors: Rows) -> float:
-    """Σᵢ of the angles between the faces' normals and the vectors, in radians."""
-    x, y, z = vectors
-    total = 0.0
-    for block in prange((len(faces) + _BLOCK - 1) // _BLOCK):
-        first, last = block * _BLOCK, min((block + 1) * _BLOCK, len(faces))
-        ours = np.empty(_BLOCK), np.empty(_BLOCK), np.empty(_BLOCK)
-        angles = np.zeros((_BLOCK // 4, 4))
-        _set_face_vectors(vertices, faces[first:last], ours)
-        theirs = x[first:last], y[first:last], z[first:last]
-        _set_angles(theirs, ours, angles.reshape(-1)[: last - first])
-        total += _sum(angles)
-    return total
+def _angles(positions: FloatArray, faces: IntArray, vectors: FloatArray) -> FloatArray:
+    """Σᵢ ∠(n(tᵢ), n(t̂ᵢ)) over each block of faces, in radians."""
+    n = len(faces)
+    blocks = (n + _BLOCK - 1) // _BLOCK
+    angles = np.empty((blocks, *positions.shape[2:]))
+    for block in prange(blocks):
+        first, last = block * _BLOCK, min((block + 1) * _BLOCK, n)
+        set_row(angles, block, _block_angles(positions, faces[first:last], vectors[first:last]))
+    return angles
 
 
-class NormalAngleEvaluator:
+class NormalAngleEvaluator(Evaluator):
     """Mean of ∠(n(tᵢ), n(t̂ᵢ)) over all faces, against one original."""
 
     def __init__(self, original: TriangleMesh) -> None:
         (self._faces,) = unsigned(original.faces)
-        self._vectors = self._face_vectors(original.vertices)
+        self._vectors = _face_vectors(original.vertices, self._faces)
 
-    def _face_vectors(self, vertices: FloatArray) -> Rows:
-        n = len(self._faces)
-        vectors = np.empty(n), np.empty(n), np.empty(n)
-        _set_face_vectors(np.ascontiguousarray(vertices), self._faces, vectors)
-        return vectors
-
-    def value(self, vertices: FloatArray) -> float:
-        """Return the mean of `elements`."""
-        total = _total_angle(np.ascontiguousarray(vertices), self._faces, self._vectors)
-        return float(np.degrees(total / max(len(self._faces), 1)))
+    def values(self, positions: FloatArray) -> FloatArray:
+        """Return the mean of `elements` of each mesh."""
+        angles = _angles(positions, self._faces, self._vectors)
+        return np.degrees(totals(angles) / max(len(self._faces), 1))
 
     def elements(self, vertices: FloatArray) -> FloatArray:
         """Return the angle of each face in degrees, (n,); 0 for a face without area."""
-        angles = np.empty(len(self._faces))
-        _set_angles(self._vectors, self._face_vectors(vertices), angles)
+        squares, products, angles = np.empty((3, len(self._faces)))
+        vertices = np.ascontiguousarray(vertices)
+        _set_products(vertices, self._faces, self._vectors, squares, products)
+        _set_angles(squares, products, angles)
         return np.degrees(angles)
 
 

@@ -6,14 +6,22 @@ from functools import partial
 from typing import Literal, Protocol
 
 from core.arrays import FloatArray
+from core.lanes import side_by_side
 
 
 class Evaluator(Protocol):
     """Compares meshes with one original whose own part is computed once."""
 
+    def values(self, positions: FloatArray) -> FloatArray:
+        """Return the errors of meshes with the original's faces, from :func:`side_by_side`.
+
+        One number for one mesh, (4,) for more. They do not depend on what stands beside.
+        """
+        ...
+
     def value(self, vertices: FloatArray) -> float:
         """Return the error of a mesh with the original's faces and these positions."""
-        ...
+        return float(self.values(side_by_side([vertices])))
 
     def elements(self, vertices: FloatArray) -> FloatArray:
         """Return the error of each vertex or face, for colouring."""
@@ -31,7 +39,7 @@ class MetricSpec:
     title : str
         Name as a person reads it.
     unit : str
-        Unit of `value`.
+        Unit of `value` and `values`.
     elements_unit : str
         Unit of `elements`.
     elements_on : {"vertex", "face"}

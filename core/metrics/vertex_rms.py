@@ -3,22 +3,39 @@
 import numpy as np
 
 from core.arrays import FloatArray
-from core.kernels import parallel_kernel, prange
+from core.kernels import kernel, parallel_kernel, prange
+from core.lanes import Lanes, set_row, totals, xyz
 from core.mesh import TriangleMesh
-from core.metrics.spec import MetricSpec
+from core.metrics.spec import Evaluator, MetricSpec
+
+# So many vertices are one piece of work for a thread.
+_BLOCK = 1024
+
+
+@kernel
+def _block_squares(positions: FloatArray, original: FloatArray, first: int, last: int) -> Lanes:
+    """Σᵢ ‖vᵢ − v̂ᵢ‖² of the vertices from `first` to before `last`."""
+    squares = 0.0
+    for i in range(np.uint64(first), np.uint64(last)):
+        (x, y, z), (a, b, c) = xyz(positions, i), xyz(original, i)
+        x, y, z = x - a, y - b, z - c
+        squares = squares + (x * x + y * y + z * z)
+    return squares
 
 
 @parallel_kernel
-def _square_distances(first: FloatArray, second: FloatArray) -> float:
-    """Σᵢ ‖vᵢ − v̂ᵢ‖²."""
-    total = 0.0
-    for i in prange(len(first)):
-        for x in range(3):
-            total += (first[i, x] - second[i, x]) ** 2
-    return total
+def _squares(positions: FloatArray, original: FloatArray) -> FloatArray:
+    """Σᵢ ‖vᵢ − v̂ᵢ‖² over each block of vertices."""
+    m = len(positions)
+    blocks = (m + _BLOCK - 1) // _BLOCK
+    squares = np.empty((blocks, *positions.shape[2:]))
+    for block in prange(blocks):
+        first, last = block * _BLOCK, min((block + 1) * _BLOCK, m)
+        set_row(squares, block, _block_squares(positions, original, first, last))
+    return squares
 
 
-class VertexRmsEvaluator:
+class VertexRmsEvaluator(Evaluator):
     """√((1/m) Σᵢ ‖vᵢ − v̂ᵢ‖²) against one original, in units of its mean edge length ℓ̄.
 
     Parameters
@@ -33,10 +50,10 @@ class VertexRmsEvaluator:
         self._vertices = original.vertices
         self._unit = 1.0 if model_units else original.mean_edge_length or 1.0
 
-    def value(self, vertices: FloatArray) -> float:
-        """Return the root mean square of `elements`."""
-        mean = _square_distances(vertices, self._vertices) / max(len(vertices), 1)
-        return float(np.sqrt(mean) / self._unit)
+    def values(self, positions: FloatArray) -> FloatArray:
+        """Return the root mean square of `elements` of each mesh."""
+        squares = totals(_squares(positions, self._vertices))
+        return np.sqrt(squares / max(len(positions), 1)) / self._unit
 
     def elements(self, vertices: FloatArray) -> FloatArray:
         """Return the distance ‖vᵢ − v̂ᵢ‖ of each vertex in ℓ̄, (m,)."""

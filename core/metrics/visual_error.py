@@ -11,10 +11,10 @@ from core.kernels import (
     prange,
     unsigned,
 )
-from core.lanes import Lanes, every, numbers, row, set_row, with_fourth, xyz
+from core.lanes import Lanes, Point, row, set_row, totals, xyz
 from core.mesh import TriangleMesh
 from core.mesh.gradient import CAUCHY_CONSTANT, inverse_roots
-from core.metrics.spec import MetricSpec
+from core.metrics.spec import Evaluator, MetricSpec
 
 Ring = tuple[IntArray, IntArray]
 """Starts and items of the neighbours of each vertex."""
@@ -25,108 +25,117 @@ _ONE = np.uint64(1)
 
 
 @fused_kernel
-def _set_weighted(
-    vertices: FloatArray,
+def _scaled(positions: FloatArray, origin: FloatArray, roots: FloatArray, i: int) -> Point:
+    """(vᵢ − o)/√dᵢ in the unit of lengths; `roots` are the 1/√dᵢ times its scale."""
+    (x, y, z), (ox, oy, oz), root = xyz(positions, i), xyz(origin, 0), roots[i]
+    return root * (x - ox), root * (y - oy), root * (z - oz)
+
+
+@fused_kernel
+def _set_weights(
+    positions: FloatArray,
     ring: Ring,
     origin: FloatArray,
     roots: FloatArray,
     first: int,
     last: int,
-    weighted: FloatArray,
+    weights: FloatArray,
 ) -> None:
-    """Note vᵢ − o and the weight g(|∇vᵢ|) of the vertices from `first` to before `last`, (m, 4).
+    """Note the weight g(|∇vᵢ|) of the vertices from `first` to before `last`.
 
-    g(|∇vᵢ|) = c²/(c² + |∇vᵢ|²) with |∇vᵢ|² = Σⱼ ‖(vᵢ − o)/√dᵢ − (vⱼ − o)/√dⱼ‖². `roots` are the
-    1/√dᵢ, times the scale of the lengths.
+    g(|∇vᵢ|) = c²/(c² + |∇vᵢ|²) with |∇vᵢ|² = Σⱼ ‖(vᵢ − o)/√dᵢ − (vⱼ − o)/√dⱼ‖².
     """
     starts, items = ring
-    o = xyz(origin, 0)
     for i in range(np.uint64(first), np.uint64(last)):
-        here = xyz(vertices, i) - o
-        scaled = every(roots[i]) * here
-        squares = every(0.0)
+        x, y, z = _scaled(positions, origin, roots, i)
+        squares = 0.0
         for k in range(starts[i], starts[i + _ONE]):
-            j = items[k]
-            gradient = scaled - every(roots[j]) * (xyz(vertices, j) - o)
-            squares = squares + gradient * gradient
-        x, y, z, _ = numbers(squares)
-        weight = CAUCHY_CONSTANT**2 / (CAUCHY_CONSTANT**2 + (x + y + z))
-        set_row(weighted, i, with_fourth(here, weight))
+            a, b, c = _scaled(positions, origin, roots, items[k])
+            dx, dy, dz = x - a, y - b, z - c
+            squares = squares + (dx * dx + dy * dy + dz * dz)
+        set_row(weights, i, CAUCHY_CONSTANT**2 / (CAUCHY_CONSTANT**2 + squares))
 
 
 @fused_kernel
-def _diffusion(weighted: FloatArray, ring: Ring, i: int) -> Lanes:
-    """𝒜(vᵢ) = (1/dᵢ) (g(|∇vᵢ|) Σⱼ (vᵢ − vⱼ) + Σⱼ g(|∇vⱼ|) (vᵢ − vⱼ)); its fourth has no meaning."""
+def _diffusion(positions: FloatArray, weights: FloatArray, ring: Ring, i: int) -> Point:
+    """𝒜(vᵢ) = (1/dᵢ) Σⱼ (vᵢ − vⱼ)(g(|∇vᵢ|) + g(|∇vⱼ|))."""
     starts, items = ring
-    here = row(weighted, i)
-    plain = around = every(0.0)
+    (x, y, z), g = xyz(positions, i), row(weights, i)
+    ax = ay = az = 0.0
     for k in range(starts[i], starts[i + _ONE]):
-        there = row(weighted, items[k])
-        away = here - there
-        plain = plain + away
-        around = around + every(numbers(there)[3]) * away
-    d = max(starts[i + _ONE] - starts[i], _ONE)
-    return every(1 / d) * (every(numbers(here)[3]) * plain + around)
+        (a, b, c), weight = xyz(positions, items[k]), g + row(weights, items[k])
+        ax = ax + weight * (x - a)
+        ay = ay + weight * (y - b)
+        az = az + weight * (z - c)
+    share = 1 / max(starts[i + _ONE] - starts[i], _ONE)
+    return share * ax, share * ay, share * az
 
 
 @kernel
 def _block_squares(
-    weighted: FloatArray,
+    positions: FloatArray,
+    weights: FloatArray,
     ring: Ring,
     original: FloatArray,
     operator: FloatArray,
     first: int,
     last: int,
-) -> float:
+) -> Lanes:
     """Σᵢ ‖vᵢ − v̂ᵢ‖² + ‖𝒜(vᵢ) − 𝒜(v̂ᵢ)‖² of the vertices from `first` to before `last`.
 
     Neither this nor its caller is fused: equal operators have to give zero.
     """
-    squares = every(0.0)
+    squares = 0.0
     for i in range(np.uint64(first), np.uint64(last)):
-        displacement = row(original, i) - row(weighted, i)
-        change = row(operator, i) - _diffusion(weighted, ring, i)
-        squares = squares + (displacement * displacement + change * change)
-    x, y, z, _ = numbers(squares)
-    return x + y + z
+        (x, y, z), (ox, oy, oz) = xyz(positions, i), xyz(original, i)
+        (a, b, c), (oa, ob, oc) = _diffusion(positions, weights, ring, i), xyz(operator, i)
+        x, y, z, a, b, c = x - ox, y - oy, z - oz, a - oa, b - ob, c - oc
+        squares = squares + ((x * x + y * y + z * z) + (a * a + b * b + c * c))
+    return squares
 
 
 @fused_parallel_kernel
-def _weighted_positions(
-    vertices: FloatArray, ring: Ring, origin: FloatArray, roots: FloatArray
+def _weights(
+    positions: FloatArray, ring: Ring, origin: FloatArray, roots: FloatArray
 ) -> FloatArray:
-    """All positions from the origin on, with their weights, (m, 4)."""
-    m = len(vertices)
-    weighted = np.empty((m, 4))
+    """g(|∇vᵢ|) of all vertices, (m,) or (m, 4)."""
+    m = len(positions)
+    weights = np.empty((m, *positions.shape[2:]))
     for block in prange((m + _BLOCK - 1) // _BLOCK):
         first, last = block * _BLOCK, min((block + 1) * _BLOCK, m)
-        _set_weighted(vertices, ring, origin, roots, first, last, weighted)
-    return weighted
+        _set_weights(positions, ring, origin, roots, first, last, weights)
+    return weights
 
 
 @fused_kernel
-def _diffusion_operator(weighted: FloatArray, ring: Ring) -> FloatArray:
-    """𝒜 of all vertices, (m, 4)."""
-    operator = np.empty_like(weighted)
-    for i in range(np.uint64(len(weighted))):
-        set_row(operator, i, _diffusion(weighted, ring, i))
+def _diffusion_operator(vertices: FloatArray, weights: FloatArray, ring: Ring) -> FloatArray:
+    """𝒜 of all vertices of one mesh, (m, 3)."""
+    operator = np.empty_like(vertices)
+    for i in range(np.uint64(len(vertices))):
+        operator[i, 0], operator[i, 1], operator[i, 2] = _diffusion(vertices, weights, ring, i)
     return operator
 
 
 @parallel_kernel
-def _total_squares(
-    weighted: FloatArray, ring: Ring, original: FloatArray, operator: FloatArray
-) -> float:
-    """Σᵢ ‖vᵢ − v̂ᵢ‖² + ‖𝒜(vᵢ) − 𝒜(v̂ᵢ)‖² over all vertices."""
-    m = len(weighted)
-    total = 0.0
-    for block in prange((m + _BLOCK - 1) // _BLOCK):
+def _squares(
+    positions: FloatArray,
+    weights: FloatArray,
+    ring: Ring,
+    original: FloatArray,
+    operator: FloatArray,
+) -> FloatArray:
+    """Σᵢ ‖vᵢ − v̂ᵢ‖² + ‖𝒜(vᵢ) − 𝒜(v̂ᵢ)‖² over each block of vertices."""
+    m = len(positions)
+    blocks = (m + _BLOCK - 1) // _BLOCK
+    squares = np.empty((blocks, *positions.shape[2:]))
+    for block in prange(blocks):
         first, last = block * _BLOCK, min((block + 1) * _BLOCK, m)
-        total += _block_squares(weighted, ring, original, operator, first, last)
-    return total
+        sum_ = _block_squares(positions, weights, ring, original, operator, first, last)
+        set_row(squares, block, sum_)
+    return squares
 
 
-class VisualErrorEvaluator:
+class VisualErrorEvaluator(Evaluator):
     """Visual error against one original, whose operator 𝒜 is computed once.
 
     Parameters
@@ -142,27 +151,29 @@ class VisualErrorEvaluator:
         self._origin = np.zeros((1, 3)) if model_units else original.vertices.mean(axis=0)[None]
         self._scale = 1.0 if model_units else 1.0 / (original.mean_edge_length or 1.0)
         self._roots = self._scale * inverse_roots(original.degrees)
-        self._weighted = self._weighted_positions(original.vertices)
-        self._operator = _diffusion_operator(self._weighted, self._ring)
+        self._vertices = original.vertices
+        self._operator = self._diffusion_operator(original.vertices)
 
-    def _weighted_positions(self, vertices: FloatArray) -> FloatArray:
-        weighted: FloatArray = _weighted_positions(
-            np.ascontiguousarray(vertices), self._ring, self._origin, self._roots
-        )
-        return weighted
+    def _weights(self, positions: FloatArray) -> FloatArray:
+        weights: FloatArray = _weights(positions, self._ring, self._origin, self._roots)
+        return weights
 
-    def value(self, vertices: FloatArray) -> float:
-        """Return D(𝕄, 𝕄̂), the mean of `elements`."""
-        weighted = self._weighted_positions(vertices)
-        squares = _total_squares(weighted, self._ring, self._weighted, self._operator)
-        return self._scale**2 * squares / (2 * max(len(vertices), 1))
+    def _diffusion_operator(self, vertices: FloatArray) -> FloatArray:
+        operator: FloatArray = _diffusion_operator(vertices, self._weights(vertices), self._ring)
+        return operator
+
+    def values(self, positions: FloatArray) -> FloatArray:
+        """Return D(𝕄, 𝕄̂), the mean of `elements`, of each mesh."""
+        weights = self._weights(positions)
+        squares = _squares(positions, weights, self._ring, self._vertices, self._operator)
+        return self._scale**2 * totals(squares) / (2 * max(len(positions), 1))
 
     def elements(self, vertices: FloatArray) -> FloatArray:
         """Return (‖vᵢ − v̂ᵢ‖² + ‖𝒜(vᵢ) − 𝒜(v̂ᵢ)‖²)/2 of each vertex, (m,)."""
-        weighted = self._weighted_positions(vertices)
-        displacement = self._weighted - weighted
-        change = self._operator - _diffusion_operator(weighted, self._ring)
-        squares: FloatArray = (displacement**2 + change**2)[:, :3].sum(axis=1)
+        vertices = np.ascontiguousarray(vertices)
+        displacement = vertices - self._vertices
+        change = self._diffusion_operator(vertices) - self._operator
+        squares: FloatArray = (displacement**2 + change**2).sum(axis=1)
         return self._scale**2 * squares / 2
 
 

@@ -38,12 +38,12 @@ class Ruler:
         adjacency, vertices = self.mesh.topology.adjacency, self.mesh.vertices
         self.units.append(times_of(lambda: adjacency @ vertices))
 
-    def measure(self, benchmark, call, rounds=ROUNDS):
-        """Run a call many times and note its times."""
+    def measure(self, benchmark, call, rounds=ROUNDS, of=1):
+        """Run a call many times and note the times of one of the things that it does."""
         times = []
         call()
         benchmark.pedantic(lambda: times.append(times_of(call)), setup=self.unit, rounds=rounds)
-        self.note(benchmark, np.min(times, axis=0), np.median(times, axis=0))
+        self.note(benchmark, np.min(times, axis=0) / of, np.median(times, axis=0) / of)
 
     def measure_iteration(self, benchmark, run, rounds=ROUNDS // 2):
         """Note the times of one iteration of `run(n)`, which carries out n, without its set-up."""

@@ -11,6 +11,7 @@ from timeit import repeat
 
 import pytest
 
+from core.lanes import WIDTH, side_by_side
 from core.mesh.remesh import midpoint_subdivision
 from core.metrics import METRICS
 from core.noise import add_noise
@@ -71,7 +72,7 @@ def test_growth_of_an_iteration(measure_growth, method):
 def test_growth_of_a_metric(measure_growth, metric):
     def prepare(mesh):
         evaluator = METRICS[metric].evaluator(mesh)
-        moved = mesh.vertices * 1.001
-        return lambda: evaluator.value(moved)
+        positions = side_by_side([mesh.vertices * 1.001] * WIDTH)
+        return lambda: evaluator.values(positions)
 
     measure_growth(prepare)

@@ -3,10 +3,21 @@
 All is measured as a study runs it, in numbers that follow the surface.
 """
 
+from itertools import islice
+
 import pytest
 
+from core.comparison import Comparison
+from core.lanes import WIDTH, side_by_side
 from core.metrics import METRICS
+from core.noise import add_noise
 from core.smoothing import METHODS, DivergenceGuard
+from core.study import MethodChoice
+
+
+@pytest.fixture(scope="module")
+def comparison(original):
+    return Comparison(original, add_noise(original))
 
 
 @pytest.fixture
@@ -21,10 +32,29 @@ def test_iteration(benchmark, ruler, noisy, method):
     ruler.measure(benchmark, lambda: next(steps))
 
 
+@pytest.fixture
+def snapshots(noisy):
+    """Four iterations, as a run measures them together."""
+    spec = METHODS["laplacian"]
+    return list(islice(spec.steps(noisy, spec.params()), WIDTH))
+
+
 @pytest.mark.parametrize("metric", list(METRICS))
-def test_metric(benchmark, ruler, original, noisy, metric):
+def test_metric(benchmark, ruler, original, snapshots, metric):
+    evaluator = METRICS[metric].evaluator(original.along_surface())
+    positions = side_by_side(snapshots)
+    ruler.measure(benchmark, lambda: evaluator.values(positions), of=WIDTH)
+
+
+@pytest.mark.parametrize("metric", list(METRICS))
+def test_metric_of_one(benchmark, ruler, original, noisy, metric):
     evaluator = METRICS[metric].evaluator(original.along_surface())
     ruler.measure(benchmark, lambda: evaluator.value(noisy.vertices))
+
+
+def test_side_by_side(benchmark, ruler, snapshots):
+    room = side_by_side(snapshots)
+    ruler.measure(benchmark, lambda: side_by_side(snapshots, room), of=WIDTH)
 
 
 def test_divergence_guard(benchmark, ruler, noisy):
@@ -33,17 +63,13 @@ def test_divergence_guard(benchmark, ruler, noisy):
 
 
 @pytest.mark.parametrize("method", list(METHODS))
-def test_iteration_with_errors(benchmark, ruler, original, noisy, method):
+def test_iteration_with_errors(benchmark, ruler, comparison, method):
     """What a run for the plot costs: an iteration, the guard and every metric."""
-    spec = METHODS[method]
-    steps = spec.steps(noisy, spec.params())
-    guard = DivergenceGuard(noisy)
-    evaluators = [metric.evaluator(original.along_surface()) for metric in METRICS.values()]
+    snapshots = comparison.snapshots(MethodChoice(method=method), lambda: 10**6)
 
-    def step():
-        vertices = next(steps)
-        guard.allows(vertices)
-        for evaluator in evaluators:
-            evaluator.value(vertices)
+    def four():
+        there = 0
+        while there < WIDTH:
+            there += next(snapshots) is not None
 
-    ruler.measure(benchmark, step)
+    ruler.measure(benchmark, four, of=WIDTH)

@@ -1,4 +1,4 @@
-"""Four numbers side by side: by hand, against numpy, and what is refused."""
+"""One mesh or four side by side: by hand, against numpy, and what is refused."""
 
 import subprocess
 import sys
@@ -8,7 +8,7 @@ import pytest
 from numba.core.errors import TypingError
 
 from core.kernels import Kernel
-from core.lanes import every, numbers, row, set_row, turned, with_fourth, xyz
+from core.lanes import row, set_row, side_by_side, totals, xyz
 
 ROWS = np.array([[1.0, 2.0, 3.0, 4.0], [5.0, 7.0, 11.0, 13.0]])
 
@@ -18,63 +18,74 @@ def compiled(function):
     return Kernel(function, cache=False)
 
 
-def test_rows_are_added_subtracted_and_multiplied_number_by_number():
-    @compiled
-    def pair(rows):
-        a, b = row(rows, 0), row(rows, 1)
-        return numbers(a + b), numbers(b - a), numbers(a * b)
-
-    a, b = ROWS
-    assert np.array_equal(pair(ROWS), [a + b, b - a, a * b])
-
-
-def test_a_point_has_nothing_in_its_fourth_number():
-    @compiled
-    def point(points, i):
-        return numbers(xyz(points, i))
-
-    points = np.arange(6.0).reshape(2, 3) + 1
-    assert point(points, 0) == (1, 2, 3, 0)
-    assert point(points, 1) == (4, 5, 6, 0)
+@compiled
+def calculated(rows, results):
+    """Every operator between lanes, between lanes and a number, and a sum from 0."""
+    a, b = row(rows, 0), row(rows, 1)
+    set_row(results, 0, a + b)
+    set_row(results, 1, a - b)
+    set_row(results, 2, a * b)
+    set_row(results, 3, a / b)
+    set_row(results, 4, 2.0 / (1.0 - 3.0 * (a / 8.0 + 5.0)))
+    total = 0.0
+    for i in range(len(rows)):
+        total = total + row(rows, i)
+    set_row(results, 5, total)
+    set_row(results, 6, 0.5)
 
 
-def test_one_number_is_repeated_and_the_fourth_replaced():
-    @compiled
-    def both(rows, number):
-        return numbers(every(number)), numbers(with_fourth(row(rows, 0), number))
-
-    assert both(ROWS, 8.0) == ((8, 8, 8, 8), (1, 2, 3, 8))
-
-
-def test_a_row_is_written_and_its_neighbours_are_left():
-    @compiled
-    def write(rows, i, number):
-        set_row(rows, i, every(number))
-
-    rows = np.zeros((3, 4))
-    write(rows, 1, 9.0)
-    assert rows.tolist() == [[0] * 4, [9] * 4, [0] * 4]
+@pytest.mark.parametrize("rows", [ROWS, ROWS[:, 1].copy()], ids=["four", "one"])
+def test_four_are_calculated_as_one_is(rows):
+    a, b = rows
+    results = np.zeros((8, *rows.shape[1:]))
+    calculated(rows, results)
+    expected = [a + b, a - b, a * b, a / b, 2 / (1 - 3 * (a / 8 + 5)), a + b, 0 * a + 0.5, 0 * a]
+    assert np.array_equal(results, expected)
 
 
-def test_turned_numbers_give_the_cross_product_from_its_z_on():
-    @compiled
-    def product(points):
-        a, b = xyz(points, 0), xyz(points, 1)
-        return numbers(turned(a)), numbers(a * turned(b) - turned(a) * b)
+@compiled
+def set_coordinates(positions, i, results):
+    x, y, z = xyz(positions, i)
+    set_row(results, 0, x)
+    set_row(results, 1, y)
+    set_row(results, 2, z)
 
-    a, b = np.random.default_rng(1).normal(size=(2, 3))
-    around, cross = product(np.array([a, b]))
-    assert np.array_equal(around, [a[1], a[2], a[0], 0])
-    assert np.array_equal(cross, [*np.roll(np.cross(a, b), 1), 0])
+
+@pytest.mark.parametrize("shape", [(2, 3), (2, 3, 4)], ids=["one", "four"])
+@pytest.mark.parametrize("kind", [np.int64, np.uint32])
+def test_coordinates_of_a_vertex(shape, kind):
+    positions = np.arange(float(np.prod(shape))).reshape(shape)
+    for i in range(2):
+        results = np.zeros(shape[1:])
+        set_coordinates(positions, kind(i), results)
+        assert np.array_equal(results, positions[i])
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 4])
+def test_meshes_side_by_side(count):
+    meshes = list(np.random.default_rng(1).normal(size=(count, 5, 3)))
+    positions = side_by_side([np.asfortranarray(mesh) for mesh in meshes])
+    assert positions.flags.c_contiguous
+    filled = meshes + [meshes[-1]] * (4 - count)
+    expected = meshes[0] if count == 1 else np.stack(filled, axis=-1)
+    assert np.array_equal(positions, expected)
+
+
+def test_totals_do_not_depend_on_what_stands_beside():
+    sums = np.random.default_rng(1).normal(size=(1000, 4))
+    assert np.array_equal(totals(sums), [totals(column) for column in sums.T])
+    assert totals(sums) == pytest.approx(sums.sum(axis=0))
 
 
 @pytest.mark.parametrize(
-    "rows", [np.zeros((4, 2)).T, np.zeros((2, 4), np.float32), np.zeros(8)], ids=str
+    "rows",
+    [np.zeros((4, 2)).T, np.zeros((2, 4), np.float32), np.zeros((2, 3, 4))],
+    ids=["order", "kind", "dimensions"],
 )
-def test_rows_that_do_not_lie_one_after_the_other_are_refused(rows):
+def test_what_does_not_hold_numbers_of_one_or_four_is_refused(rows):
     @compiled
     def first(rows):
-        return numbers(row(rows, 0))
+        set_row(rows, 0, row(rows, 0))
 
     with pytest.raises(TypingError):
         first(rows)

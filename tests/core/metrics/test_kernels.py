@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from core.metrics import METRICS
+from core.lanes import side_by_side
+from core.metrics import METRICS, metrics_in
 from core.metrics.arctangent import angle_of
 from core.noise import add_noise
 
@@ -124,3 +125,18 @@ def test_positions_in_any_order_of_memory(irregular, moved, metric):
     evaluator = METRICS[metric].evaluator(irregular)
     assert evaluator.value(np.asfortranarray(moved)) == evaluator.value(moved)
     assert np.array_equal(evaluator.elements(np.asfortranarray(moved)), evaluator.elements(moved))
+
+
+@pytest.mark.parametrize("metric", list(METRICS))
+@pytest.mark.parametrize("model_units", [False, True])
+def test_a_mesh_has_the_error_that_it_has_alone_whatever_stands_beside(
+    irregular, metric, model_units
+):
+    evaluator = metrics_in(model_units=model_units)[metric].evaluator(irregular)
+    meshes = [irregular.vertices, *(add_noise(irregular, 0.1, seed=k).vertices for k in range(3))]
+    alone = [evaluator.value(vertices) for vertices in meshes]
+    assert alone[0] == 0
+    for count in (2, 3, 4):
+        values = evaluator.values(side_by_side(meshes[:count]))
+        assert values[:count].tolist() == alone[:count]
+    assert evaluator.values(side_by_side(meshes[::-1])).tolist() == alone[::-1]

@@ -16,8 +16,8 @@ def computed(monkeypatch):
     """Iterations that were computed, as they are."""
     snapshots, made = Comparison.snapshots, []
 
-    def counted(self, choice):
-        for snapshot in snapshots(self, choice):
+    def counted(self, choice, wanted):
+        for snapshot in snapshots(self, choice, wanted):
             made.append(choice.method)
             yield snapshot
 
