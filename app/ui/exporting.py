@@ -99,7 +99,8 @@ def export(session: Session, path: Path, begin: Export, saved: str = "") -> Job:
             session.notified.emit(saved or f"Saved {path.name}.")
 
     job = Job(
-        _whole_or_not(begin(path, drawer), path, staging), step, session.report, late=True,
+        _whole_or_not(begin(path, drawer), path, staging), step, session.report,
+        lambda: session.closing.disconnect(drawer.close), late=True,
         title=f"Writing {path.name}", share=lambda: reached, on_cancel=give_up,
     )  # fmt: skip
     session.closing.connect(drawer.close)

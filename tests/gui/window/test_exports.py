@@ -111,9 +111,11 @@ def test_pieces_are_drawn_by_the_window_one_a_turn(user, folder):
             yield piece / 4
         write_atomically(path, b"drawn")
 
+    listeners = len(user.window.session.closing)
     start(user, folder / "a.txt", steps)
     user.wait((folder / "a.txt").exists)
     assert [here for here, _ in drawn] == [True] * 3
+    user.wait(lambda: len(user.window.session.closing) == listeners)  # nothing stays behind
 
 
 @pytest.mark.parametrize("fails", ["piece", "writing"])
