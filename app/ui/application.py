@@ -2,6 +2,7 @@
 
 import gc
 import os
+from pathlib import Path
 
 # pyvistaqt asks qtpy for a binding; say which before either is imported.
 os.environ.setdefault("QT_API", "pyside6")
@@ -27,6 +28,7 @@ def start(model: str) -> int:
     application = make_application()
     if opengl_is_missing():
         return NO_WINDOW
+    from app.ui.dialogs import remember_folder
     from app.ui.main_window import MainWindow
     from app.ui.restoring import offer_leftovers
 
@@ -34,6 +36,8 @@ def start(model: str) -> int:
     window.faults.install()
     window.show()
     gc.freeze()
+    if Path(model).is_file():
+        remember_folder(model)
     window.files.open(model)
     offer_leftovers(window)
     try:

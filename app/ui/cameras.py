@@ -96,6 +96,7 @@ class Cameras:
             return
         view = self._window.session.study.view.with_camera(camera)
         self._window.change_view("Save camera", view)
+        self._window.session.notified.emit(f"“{camera.name}” stands in View → Cameras now.")
 
     def _restore(self, name: str) -> None:
         for camera in self._window.session.study.view.cameras:

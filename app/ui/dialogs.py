@@ -1,5 +1,6 @@
 """Small dialogs that never stop the window: files to open and save, and bad news."""
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -9,6 +10,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 from core.io import SUPPORTED_READ
 
 _FOLDER = "last_folder"
+_Button = QMessageBox.StandardButton
 
 
 def model_filter() -> str:
@@ -29,15 +31,19 @@ def ask_for_file(
 def ask_where_to_save(
     parent: QWidget, title: str, name: str, filters: str, use: Callable[[Path], None]
 ) -> QFileDialog:
-    """Ask for a file to write and hand it on; a missing suffix is that of the chosen filter."""
+    """Ask for a file to write and hand it on.
+
+    A suffix that none of the filters has gets that of the chosen filter behind it: `cow_0.02`
+    becomes `cow_0.02.ply`.
+    """
     dialog = QFileDialog(parent, title, _last_folder(), filters)
     dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
     dialog.selectFile(name)
     dialog.setDefaultSuffix(Path(name).suffix.removeprefix("."))
     dialog.filterSelected.connect(
-        lambda chosen: dialog.setDefaultSuffix(chosen.split("*.")[-1].strip(") "))
+        lambda chosen: dialog.setDefaultSuffix(_suffixes(chosen)[0].removeprefix("."))
     )
-    return _open(dialog, use)
+    return _open(dialog, lambda path: _complete(dialog, path, use))
 
 
 def ask_for_folder(parent: QWidget, title: str, use: Callable[[Path], None]) -> QFileDialog:
@@ -52,6 +58,7 @@ def tell(parent: QWidget, message: str) -> QMessageBox:
     """Show one sentence about something that could not be done."""
     box = QMessageBox(QMessageBox.Icon.Warning, "Burnish", message, parent=parent)
     box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    box.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
     box.open()
     return box
 
@@ -64,9 +71,45 @@ def question(parent: QWidget, text: str, more: str) -> QMessageBox:
     return box
 
 
+def ask_whether(
+    parent: QWidget, text: str, more: str, verb: str, go: Callable[[], object]
+) -> QMessageBox:
+    """Ask before something is lost; go on where the button `verb` says so."""
+    box = question(parent, text, more)
+    box.addButton(verb, QMessageBox.ButtonRole.AcceptRole).clicked.connect(lambda *_: go())
+    box.setDefaultButton(box.addButton(_Button.Cancel))
+    box.open()
+    return box
+
+
+def remember_folder(name: str) -> None:
+    """Let the next dialog begin in the folder of a file."""
+    QSettings().setValue(_FOLDER, str(Path(name).absolute().parent))
+
+
+def _suffixes(filters: str) -> list[str]:
+    """Return the suffixes that name filters have, in their order."""
+    return re.findall(r"\*(\.\w+)", filters)
+
+
+def _complete(dialog: QFileDialog, path: Path, use: Callable[[Path], None]) -> None:
+    """Hand on a file with a suffix of the filters; the dialog has not asked about that name."""
+    if path.suffix.lower() in _suffixes(";;".join(dialog.nameFilters())):
+        use(path)
+        return
+    whole = path.with_name(path.name + _suffixes(dialog.selectedNameFilter())[0])
+    if whole.exists():
+        ask_whether(
+            dialog.parentWidget(), f"{whole.name} already exists.", "Replace it?", "Replace",
+            lambda: use(whole),
+        )  # fmt: skip
+    else:
+        use(whole)
+
+
 def _open(dialog: QFileDialog, use: Callable[[Path], None]) -> QFileDialog:
     def chosen(name: str) -> None:
-        QSettings().setValue(_FOLDER, str(Path(name).parent))
+        remember_folder(name)
         use(Path(name))
 
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)

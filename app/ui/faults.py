@@ -21,6 +21,7 @@ from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
 from app.logs import log_file
+from app.ui.dialogs import tell
 from app.ui.graphics import NO_WINDOW, leave, say
 from app.ui.help import versions
 from app.ui.tasks import Poster
@@ -109,7 +110,7 @@ class FaultReports(QObject):
         copy.clicked.disconnect()
         folder.clicked.disconnect()
         copy.clicked.connect(lambda: QApplication.clipboard().setText(details))
-        folder.clicked.connect(show_log)
+        folder.clicked.connect(lambda: show_log(box))
         box.setDefaultButton(box.addButton(QMessageBox.StandardButton.Close))
 
     def _on_qt_message(self, kind: QtMsgType, context: QMessageLogContext, message: str) -> None:
@@ -141,9 +142,10 @@ def details_of(error: BaseException) -> str:
     return f"{versions()}\n\n{trace}"
 
 
-def show_log() -> None:
-    """Open the log with the system's program for text."""
-    QDesktopServices.openUrl(QUrl.fromLocalFile(str(log_file())))
+def show_log(parent: QWidget) -> None:
+    """Open the log with the system's program for text; where there is none, tell its place."""
+    if not QDesktopServices.openUrl(QUrl.fromLocalFile(str(log_file()))):
+        tell(parent, f"No program here opens the log. It is {log_file()}.")
 
 
 def log_qt_message(kind: QtMsgType, context: QMessageLogContext, message: str) -> None:

@@ -48,7 +48,7 @@ class GalleryDialog(QDialog):
         super().__init__(window)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle("Gallery")
-        self.resize(760, 600)
+        self.resize(760, 620)
         self._window = window
         self._poster = Poster(window)
         self._alive = True
@@ -59,6 +59,9 @@ class GalleryDialog(QDialog):
         self.message = FaintLabel("Models of pyvista.examples are downloaded once, then kept.")
         self.progress = QProgressBar(maximum=0, textVisible=False, visible=False)
         self.progress.setFixedHeight(8)
+        policy = self.progress.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)  # the models above do not move
+        self.progress.setSizePolicy(policy)
         self._lay_out()
         self.finished.connect(self._leave)
         items = [self.bundled.item(row) for row in range(self.bundled.count())]
@@ -74,7 +77,7 @@ class GalleryDialog(QDialog):
         shown.setIconSize(_PICTURE)
         shown.setGridSize(_CELL)
         ink = self.palette().color(QPalette.ColorRole.Mid)
-        blank = font_icon("mdi6.cube-outline", color=ink)
+        blank = font_icon("mdi6.cube-outline", color=ink, color_disabled=ink)
         for model, title in entries.items():
             item = QListWidgetItem(_picture(model) or blank, title, shown)
             item.setData(Qt.ItemDataRole.UserRole, model)

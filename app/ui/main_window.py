@@ -24,7 +24,7 @@ from app.ui.skeleton_tab import SkeletonTab
 from app.ui.statistics_saving import ask_for_bundle, ask_for_cell, ask_for_tables
 from app.ui.statistics_tab import StatisticsTab
 from app.ui.status import StatusBar
-from app.ui.study_files import StudyFiles, dropped_file
+from app.ui.study_files import StudyFiles
 from app.ui.surfaces import Uncovering
 from app.ui.tasks import Poster
 from app.ui.theme import current_theme
@@ -110,12 +110,11 @@ class MainWindow(QMainWindow):
         super().closeEvent(event)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        if dropped_file(event.mimeData()):
+        if self.files.may_drop(event.mimeData()):
             event.acceptProposedAction()
 
     def dropEvent(self, event: QDropEvent) -> None:
-        if name := dropped_file(event.mimeData()):
-            self.files.open(name)
+        if self.files.drop(event.mimeData()):
             event.acceptProposedAction()
 
     def changeEvent(self, event: object) -> None:
@@ -144,7 +143,7 @@ class MainWindow(QMainWindow):
             "save_graph": lambda: ask_for_graph(self.skeleton),
             "save_film": lambda: ask_for_film(self.skeleton),
             "preferences": lambda: open_preferences(self),
-            "log": show_log,
+            "log": lambda: show_log(self),
             "open_noisy": self._ask_for_noisy,
             "save_mesh": lambda: saving.ask_for_mesh(self),
             "save_plot": self._ask_for_plot,

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.ui.command_list import Entry, entries
+from app.ui.controls import FaintLabel
 from app.ui.fuzzy import ranked
 
 _SIZE = QSize(560, 420)
@@ -35,10 +36,14 @@ class CommandPalette(QDialog):
         self.list.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.list.setModel(self.model)
         self.list.setItemDelegate(_EntryDelegate(self.list))
+        self.told = FaintLabel()
+        self.told.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self.told.setMinimumHeight(2 * self.told.fontMetrics().lineSpacing())
         self._lay_out(window)
         self.line.textChanged.connect(self._filter)
         self.line.installEventFilter(self)
         self.list.clicked.connect(self._run)
+        self.list.selectionModel().currentChanged.connect(self._tell)
         self._filter("")
 
     def eventFilter(self, _: QObject, event: QEvent) -> bool:
@@ -58,6 +63,7 @@ class CommandPalette(QDialog):
         layout.setSpacing(6)
         layout.addWidget(self.line)
         layout.addWidget(self.list, 1)
+        layout.addWidget(self.told)
         size = _SIZE.boundedTo(window.size())
         corner = window.mapToGlobal(window.rect().topLeft())
         left = corner.x() + (window.width() - size.width()) // 2
@@ -70,14 +76,21 @@ class CommandPalette(QDialog):
         places = ranked(text, names, paths, tips)
         self.model.show([self._all[place] for place in places])
         self.list.setCurrentIndex(self.model.index(0))
+        self._tell(self.list.currentIndex())
+
+    def _tell(self, index: QModelIndex, _: object = None) -> None:
+        """Tell what the current command does, and why where it cannot be used now."""
+        entry = index.data(Qt.ItemDataRole.UserRole)
+        self.told.setText(entry.tip if entry else "No command fits what is typed.")
 
     def _run(self, index: QModelIndex) -> None:
         """Close, then do what was chosen; a command that is not possible now stays listed."""
-        if not index.isValid() or not (index.flags() & Qt.ItemFlag.ItemIsEnabled):
+        if not index.isValid():
             return
         entry = self.model.entries[index.row()]
-        self.close()
-        entry.run()
+        if entry.usable:
+            self.close()
+            entry.run()
 
 
 class _EntryModel(QAbstractListModel):
@@ -104,10 +117,6 @@ class _EntryModel(QAbstractListModel):
         }
         return texts.get(role)
 
-    def flags(self, index: QModelIndex) -> Qt.ItemFlag:
-        usable = self.entries[index.row()].usable
-        return super().flags(index) if usable else Qt.ItemFlag.ItemIsSelectable
-
 
 class _EntryDelegate(QStyledItemDelegate):
     """Name at the left, the menus pale after it, the key at the right."""
@@ -117,16 +126,16 @@ class _EntryDelegate(QStyledItemDelegate):
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: QModelIndex) -> None:
         entry: Entry = index.data(Qt.ItemDataRole.UserRole)
-        chosen = bool(option.state & QStyle.StateFlag.State_Selected)
+        roles = QPalette.ColorRole
+        if not entry.usable:
+            option.palette.setColor(roles.Highlight, option.palette.color(roles.Mid))
         style = option.widget.style()
         style.drawPrimitive(
             QStyle.PrimitiveElement.PE_PanelItemViewItem, option, painter, option.widget
         )
-        roles = QPalette.ColorRole
-        usable = bool(index.flags() & Qt.ItemFlag.ItemIsEnabled)
-        group = QPalette.ColorGroup.Active if usable else QPalette.ColorGroup.Disabled
-        strong = option.palette.color(group, roles.HighlightedText if chosen else roles.Text)
-        pale = strong if chosen else option.palette.color(roles.PlaceholderText)
+        chosen = entry.usable and bool(option.state & QStyle.StateFlag.State_Selected)
+        pale = option.palette.color(roles.HighlightedText if chosen else roles.PlaceholderText)
+        strong = option.palette.color(roles.Text) if entry.usable and not chosen else pale
         room = option.rect.adjusted(8, 0, -8, 0)
         mark = "✓  " if entry.checked else ""
         after = self._write(painter, room, mark + entry.name, strong)

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from PySide6.QtCore import QSettings
+from PySide6.QtCore import QSettings, Qt
 from PySide6.QtWidgets import (
     QComboBox,
     QFormLayout,
@@ -16,6 +16,7 @@ from app.session import Session
 from app.session.memory import default_budget, machine_memory
 from app.ui.actions import THEMES
 from app.ui.controls import FaintLabel
+from app.ui.dialogs import ask_whether
 
 _BUDGET = "memory_megabytes"
 _MEGABYTE = 1024**2
@@ -54,12 +55,18 @@ class GeneralPage(QWidget):
         self.budget.setKeyboardTracking(False)
         self.budget.setGroupSeparatorShown(True)
         self.budget.setAccessibleName("Memory for results")
-        self.reset_button = QPushButton("Reset everything to defaults")
+        self.reset_button = QPushButton("Reset everything to defaults…")
         self._lay_out()
         self._show()
         self.theme.activated.connect(lambda _: window.theme.choose(self.theme.currentData()))
         self.budget.valueChanged.connect(self._change)
-        self.reset_button.clicked.connect(self.reset)
+        self.reset_button.clicked.connect(self.ask_to_reset)
+
+    def ask_to_reset(self) -> None:
+        """Forget what was chosen, after asking."""
+        ask_whether(
+            self, "Reset everything to defaults?", "It cannot be undone.", "Reset", self.reset
+        )
 
     def reset(self) -> None:
         """Forget all that was chosen: keys, theme, memory, recent files, places of panels."""
@@ -81,7 +88,7 @@ class GeneralPage(QWidget):
             )
         )
         layout.addStretch()
-        layout.addWidget(self.reset_button)
+        layout.addWidget(self.reset_button, alignment=Qt.AlignmentFlag.AlignLeft)
         layout.addWidget(
             FaintLabel("Keys, theme, memory, recent files and, at the next start, the panels.")
         )

@@ -10,6 +10,7 @@ from PySide6.QtCore import QBuffer, QPoint, QRect, Qt
 from PySide6.QtGui import QImage, QPainter
 
 from app.export.pictures import Picture, PictureError, composed, save_picture
+from app.ui.actions import COMPARED
 from app.ui.desk import PictureSubject
 from app.ui.exporting import Drawer, Export, ask_to_export, at_once, in_one_step
 from app.ui.screenshot_dialog import Request, ScreenshotDialog
@@ -21,14 +22,15 @@ if TYPE_CHECKING:
 
 _MESH_FILTERS = "PLY (*.ply);;OBJ (*.obj);;OFF (*.off);;STL (*.stl)"
 _PLOT_FILTERS = "SVG (*.svg);;PDF (*.pdf);;PNG (*.png)"
-_TABLE_FILTERS = "CSV (*.csv);;Markdown (*.md);;LaTeX (*.tex)"
+_TABLE_FILTERS = "CSV (*.csv);;Markdown (*.md);;LaTeX (*.tex);;Text (*.txt)"
 
 
 def ask_for_mesh(window: "MainWindow") -> None:
     """Ask where to save the mesh of what is selected."""
     mesh, name = window.desk.mesh()
-    _ask(window, "Save the mesh of the selected view", f"{_stem(window)}_{name}.ply",
-         _MESH_FILTERS, at_once(partial(save_mesh, mesh)))  # fmt: skip
+    title = f"Save the mesh: {COMPARED.get(name, name.capitalize())}"
+    _ask(window, title, f"{_stem(window)}_{name}.ply", _MESH_FILTERS,
+         at_once(partial(save_mesh, mesh)))  # fmt: skip
 
 
 def ask_for_plot(window: "MainWindow") -> None:

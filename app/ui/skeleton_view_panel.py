@@ -22,6 +22,12 @@ _SPACINGS = {
     "area": "bands of equal area",
 }
 _BANDS = {"exact": "exact: faces are cut", "vertices": "vertices, as printed"}
+_NAMES = {
+    "source": "Surface", "keep": "Faces", "field": "Field", "spacing": "Levels", "bands": "Bands",
+    "root": "Root",
+}  # fmt: skip
+"""What a person reads before a control, and in the Edit menu once it was changed."""
+
 _HELP = {parameter.name: parameter.help for parameter in describe(SkeletonView)}
 
 
@@ -55,14 +61,14 @@ class ViewPanel(QWidget):
 
     def _lay_out(self) -> None:
         top, below = _form(), _form()
-        top.addRow("Surface", self.source)
-        top.addRow("Faces", self.keep)
+        top.addRow(_NAMES["source"], self.source)
+        top.addRow(_NAMES["keep"], self.keep)
         field = QHBoxLayout()
         field.addWidget(self.field, 1)
         field.addWidget(HelpButton(self.field.currentData, "Reference of this field"))
-        top.addRow("Field", field)
-        below.addRow("Levels", self.spacing)
-        below.addRow("Bands", self.bands)
+        top.addRow(_NAMES["field"], field)
+        below.addRow(_NAMES["spacing"], self.spacing)
+        below.addRow(_NAMES["bands"], self.bands)
         below.addRow("", self.root)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 6, 0, 0)
@@ -71,9 +77,9 @@ class ViewPanel(QWidget):
         for form in self.forms.values():
             layout.addWidget(form)
         layout.addLayout(below)
-        for name in ("source", "keep", "field", "spacing", "bands", "root"):
+        for name, shown in _NAMES.items():
             getattr(self, name).setToolTip(_HELP[name])
-            getattr(self, name).setAccessibleName(name.capitalize())
+            getattr(self, name).setAccessibleName(shown)
 
     def _connect(self) -> None:
         for name in ("source", "field", "spacing", "bands"):
@@ -89,7 +95,7 @@ class ViewPanel(QWidget):
         update: dict[str, Any] = {name: box.currentData()}
         if name == "field":
             update["params"] = {}
-        self._change(name.capitalize(), **update)
+        self._change(_NAMES[name], **update)
 
     def _change(self, step: str, **update: Any) -> None:
         view = current_view(self._session, self._index)

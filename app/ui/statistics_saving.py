@@ -1,6 +1,7 @@
 """What the Statistics tab writes to files and to the clipboard."""
 
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,7 +13,7 @@ from app.export.statistics_plots import PLOTS, save_statistics_plot
 from app.export.statistics_series import Series
 from app.export.statistics_tables import plot_tables
 from app.session.jobs import progress_job
-from app.ui.dialogs import ask_for_folder
+from app.ui.dialogs import ask_for_folder, ask_whether
 from app.ui.exporting import Drawer, ask_to_export, at_once, export
 from app.ui.statistics_matrix import SAVE_FILTERS
 from app.ui.statistics_work import Model
@@ -55,9 +56,17 @@ def ask_for_tables(tab: "StatisticsTab") -> None:
 
 def ask_for_bundle(tab: "StatisticsTab") -> None:
     """Ask for the folder of all plots, tables and numbers of the first model."""
-    ask_for_folder(
-        tab, "Save the statistics into a folder", lambda path: bundle(tab, tab.work.models[0], path)
-    )
+
+    def use(folder: Path) -> None:
+        write = partial(bundle, tab, tab.work.models[0], folder)
+        if _holds_files(folder):
+            text = f"The folder {folder.name} is not empty. Save the statistics there?"
+            more = "Files of the same names are replaced: figure.png, degree.csv and such."
+            ask_whether(tab, text, more, "Save There", write)
+        else:
+            write()
+
+    ask_for_folder(tab, "Save the statistics into a folder", use)
 
 
 def bundle(tab: "StatisticsTab", model: Model, folder: Path) -> None:
@@ -84,6 +93,13 @@ def ask_for_cell(tab: "StatisticsTab", cell: str) -> None:
     name = f"{tab.work.models[0].name}_{cell}.{'png' if matrix else 'svg'}"
     filters = SAVE_FILTERS if matrix else _PLOT_FILTERS
     _ask(tab, "Save the plot", name, filters, cell_writer(tab, cell))
+
+
+def _holds_files(folder: Path) -> bool:
+    """Whether there is something in a folder that could be lost."""
+    with suppress(OSError):  # writing there says why it cannot
+        return any(folder.iterdir())
+    return False
 
 
 def _ask(

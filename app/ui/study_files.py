@@ -94,6 +94,25 @@ class StudyFiles:
         else:
             self._open_model(name)
 
+    def may_drop(self, data: QMimeData) -> bool:
+        """Whether something that is dragged can be opened; tell what could be where it cannot."""
+        if dropped_file(data):
+            return True
+        if data.hasUrls():
+            self._session.notified.emit("What can be dropped is a model or a study, not a folder.")
+        return False
+
+    def drop(self, data: QMimeData) -> bool:
+        """Open the first model or study among what is dropped; tell where there are more."""
+        name = dropped_file(data)
+        if name is None:
+            return False
+        dialogs.remember_folder(name)
+        if len(data.urls()) > 1:
+            self._session.notified.emit(f"Only {Path(name).name} is opened: one file at a time.")
+        self.open(name)
+        return True
+
     def _remember(self) -> None:
         """Put what is open first in the list of recent files."""
         path = self.documents.current.path
@@ -145,12 +164,12 @@ class StudyFiles:
     def save_as(self, then: Callable[[], object] = lambda: None, *, packed: bool = False) -> None:
         """Ask where to save the study, on request with its models inside."""
         path = self.documents.current.path
-        name = path.stem if path else Path(self._session.study.model).stem
+        model = Path(self._session.study.model.removeprefix(SAMPLE_PREFIX))
+        name = str(path) if path else f"{model.stem}{STUDY_SUFFIX}"
         title = "Save the study with its models inside" if packed else "Save the study"
         dialogs.ask_where_to_save(
-            self._window, title, f"{name.removeprefix(SAMPLE_PREFIX)}{STUDY_SUFFIX}", _FILTER,
-            lambda path: self._write(path, packed, then),
-        )  # fmt: skip
+            self._window, title, name, _FILTER, lambda path: self._write(path, packed, then)
+        )
 
     def _write(self, path: Path, packed: bool, then: Callable[[], object]) -> None:
         """Write beside the window: packing large models takes a while."""

@@ -69,7 +69,8 @@ class StudyOpening:
             box.addButton("Open without it", _Role.AcceptRole).clicked.connect(self._leave_second)
         choose = box.addButton("Choose a file…", _Role.ActionRole)
         choose.clicked.connect(lambda: self._choose(error.role))
-        box.setDefaultButton(box.addButton(QMessageBox.StandardButton.Cancel))
+        cancel = box.addButton(QMessageBox.StandardButton.Cancel)
+        box.setDefaultButton(cancel if changed else choose)
         box.open()
 
     def _accept(self, role: Role) -> None:

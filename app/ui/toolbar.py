@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMainWindow, QMenu, QToolButton
 
 from app.ui.action_book import ActionBook
@@ -20,6 +21,8 @@ def fill_toolbar(
     bar = window.addToolBar("Toolbar")
     bar.setObjectName("toolbar")
     bar.setMovable(False)
+    # A menu on the right button would hide it, and nothing on the window would bring it back.
+    window.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
     for command in TOOLBAR:
         if command is None:
             bar.addSeparator()

@@ -77,12 +77,17 @@ def write_study_file(
             content = study_text(study, file.parent, known).encode()
         write_atomically(file, content)
     except OSError as error:
-        reason = error.strerror or error
-        name = Path(error.filename).name if error.filename else file.name
-        raise StudyFileError(f"{file.name}: cannot be written ({name}: {reason}).") from error
+        reason = f"{_model_at_fault(error, study)}{error.strerror or error}"
+        raise StudyFileError(f"{file.name}: cannot be written ({reason}).") from error
     except ValueError as error:
         reason = str(error).removesuffix(".")
         raise StudyFileError(f"{file.name}: cannot be written ({reason}).") from error
+
+
+def _model_at_fault(error: OSError, study: Study) -> str:
+    """Name the model that could not be read, if it was one; the file itself is named anyway."""
+    file = Path(str(error.filename))
+    return f"{file.name}: " if file in map(Path, models_of(study).values()) else ""
 
 
 def _packed(study: Study, folder: Path, known: Mapping[str, Fingerprint]) -> bytes:

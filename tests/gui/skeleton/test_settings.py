@@ -12,6 +12,7 @@ def test_field_levels_bands_and_root_reach_the_graph(tab, settle, hands):
     panel = tab.side.panels[1]
     hands.choose(panel.field, "height")
     hands.choose(panel.spacing, "area")
+    assert tab.session.history.undo_name == "Levels"
     hands.choose(panel.bands, "vertices")
     hands.click_check(panel.root)
     settle()

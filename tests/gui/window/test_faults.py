@@ -66,7 +66,7 @@ def test_after_an_error_in_a_slot_the_study_is_whole_and_can_be_saved(
     user, ball_file, faults, tmp_path, monkeypatch
 ):
     opened, file = [], tmp_path / "after.burnish"
-    monkeypatch.setattr(QDesktopServices, "openUrl", opened.append)
+    monkeypatch.setattr(QDesktopServices, "openUrl", lambda url: opened.append(url) or True)
     user.open(ball_file)
     study = user.window.session.study
 
@@ -95,6 +95,13 @@ def test_after_an_error_in_a_slot_the_study_is_whole_and_can_be_saved(
     saved = read_study_file(file).study
     assert saved.choice("mean").iterations == 3
     assert saved.noise == study.noise
+
+
+def test_without_a_program_for_it_the_place_of_the_log_is_told(user, monkeypatch):
+    monkeypatch.setattr(QDesktopServices, "openUrl", lambda _: False)
+    user.window.actions_["log"].trigger()
+    assert str(log_file()) in boxes(user)[0].text()
+    boxes(user)[0].close()
 
 
 def test_a_long_error_ends_between_two_words():

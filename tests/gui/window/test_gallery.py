@@ -6,6 +6,7 @@ from urllib.error import URLError
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QIcon
 
 from app.ui import downloads
 from app.ui.gallery import GalleryDialog
@@ -13,6 +14,7 @@ from app.ui.thumbnails import thumbnail
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 LEFT = Qt.MouseButton.LeftButton
+NORMAL, DISABLED = QIcon.Mode.Normal, QIcon.Mode.Disabled
 
 
 def gallery(user):
@@ -56,6 +58,9 @@ def test_the_gallery_downloads_beside_the_window(user, held_download, gate):
     dialog = held_download
     assert dialog.progress.isVisible()
     assert dialog.message.text() == "Downloading Cow …"
+    icon, size = dialog.examples.item(0).icon(), dialog.examples.iconSize()
+    plain, pale = (icon.pixmap(size, mode).toImage() for mode in (NORMAL, DISABLED))
+    assert plain == pale
     gate.set()
     user.wait(lambda: user.window.windowTitle().startswith("cow.ply"))
 

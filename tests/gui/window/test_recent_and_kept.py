@@ -2,7 +2,7 @@
 
 import pytest
 from PySide6.QtCore import QSettings, Qt
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QMessageBox
 
 from app.cli import main
 from app.session.memory import default_budget, machine_memory
@@ -22,6 +22,13 @@ def drawn_width(menu, entry):
     columns, rows = range(min(64, image.width())), range(image.height())
     drawn = [x for x in columns if any(image.pixel(x, y) != ground for y in rows)]
     return (drawn[-1] - drawn[0]) if drawn else 0
+
+
+def answer_reset(user, page, word):
+    user.qtbot.mouseClick(page.reset_button, LEFT)
+    box = page.findChildren(QMessageBox)[-1]
+    assert box.text() == "Reset everything to defaults?"
+    user.qtbot.mouseClick(user.button(box, word), LEFT)
 
 
 def test_recent_files_have_pictures_and_open_again(user, ball_file):
@@ -60,7 +67,9 @@ def test_the_memory_budget_is_a_preference_and_is_kept(user, ball_file):
     user.qtbot.keyClick(page.budget, Qt.Key.Key_Return)
     assert kept_budget() == 100 * 1024**2
     assert user.window.session.budget == 100 * 1024**2
-    user.qtbot.mouseClick(page.reset_button, LEFT)
+    answer_reset(user, page, "Cancel")
+    assert user.window.session.budget == 100 * 1024**2
+    answer_reset(user, page, "Reset")
     assert user.window.session.budget == default_budget()
     assert QSettings().value("recent_files") is None
 

@@ -111,6 +111,7 @@ def test_a_missing_model_is_asked_for(user, saved, ball_file, tmp_path):
     moved = tmp_path / "moved.ply"
     ball_file.rename(moved)
     open_study(user, saved)
+    assert "Choose" in question(user).defaultButton().text()
     assert "its model ball.ply is not at" in answer(user, "Choose")
     user.answer_file_dialog(moved)
     user.wait(lambda: "moved.ply" in user.window.windowTitle())
