@@ -7,6 +7,7 @@ from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
+    QHBoxLayout,
     QHeaderView,
     QKeySequenceEdit,
     QLabel,
@@ -56,11 +57,14 @@ class ShortcutTable(QWidget):
         self.tree.header().setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         self.tree.header().setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
         self.tree.header().setStretchLastSection(False)
+        self.nothing = FaintLabel("No command or key fits what is typed.")
+        self.nothing.hide()
         self.items: dict[str, QTreeWidgetItem] = {}
         self._fill()
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.search)
+        layout.addWidget(self.nothing)
         layout.addWidget(self.tree, 1)
         self.search.textChanged.connect(self._filter)
         self.refresh()
@@ -108,12 +112,13 @@ class ShortcutTable(QWidget):
         return group
 
     def _filter(self, text: str) -> None:
-        for row in range(self.tree.topLevelItemCount()):
-            group = self.tree.topLevelItem(row)
+        groups = [self.tree.topLevelItem(row) for row in range(self.tree.topLevelItemCount())]
+        for group in groups:
             children = [group.child(i) for i in range(group.childCount())]
             for item in children:
                 item.setHidden(not _fits(text, item))
             group.setHidden(all(item.isHidden() for item in children))
+        self.nothing.setVisible(all(group.isHidden() for group in groups))
 
 
 class ShortcutSheet(QDialog):
@@ -145,17 +150,16 @@ class ShortcutPage(QWidget):
         super().__init__()
         self._shortcuts = shortcuts
         self.table = ShortcutTable(shortcuts)
-        self.editor = QKeySequenceEdit(maximumSequenceLength=1, clearButtonEnabled=True)
-        self.message = FaintLabel("Choose a command, then press its new key.")
+        self.editor = QKeySequenceEdit(maximumSequenceLength=1)
+        self.remove_button = QPushButton("Remove key")
+        self.message = FaintLabel("Double click a command, then press its new key.")
         self.reset_button = QPushButton("Reset all keys")
-        layout = QVBoxLayout(self)
-        layout.addWidget(self.table, 1)
-        label = QLabel("&New key")
-        label.setBuddy(self.editor)
-        for widget in (label, self.editor, self.message, self.reset_button):
-            layout.addWidget(widget)
+        self._lay_out()
         self.table.tree.currentItemChanged.connect(self._show)
-        self.editor.keySequenceChanged.connect(self._change)
+        self.table.tree.itemActivated.connect(lambda *_: self.editor.setFocus())
+        self.editor.keySequenceChanged.connect(self._on_key)
+        self.editor.editingFinished.connect(self._show)
+        self.remove_button.clicked.connect(lambda: self._change(QKeySequence()))
         self.reset_button.clicked.connect(self.reset)
         self._show()
 
@@ -166,12 +170,31 @@ class ShortcutPage(QWidget):
         self._show()
         self.message.setText("Every command has its own key again.")
 
+    def _lay_out(self) -> None:
+        label = QLabel("&New key")
+        label.setBuddy(self.editor)
+        key = QHBoxLayout()
+        key.addWidget(self.editor, 1)
+        key.addWidget(self.remove_button)
+        layout = QVBoxLayout(self)
+        layout.addWidget(self.table, 1)
+        layout.addWidget(label)
+        layout.addLayout(key)
+        layout.addWidget(self.message)
+        layout.addWidget(self.reset_button, alignment=Qt.AlignmentFlag.AlignLeft)
+
     def _show(self, *_: object) -> None:
         command = self.table.command()
-        self.editor.setEnabled(command is not None)
+        for widget in (self.editor, self.remove_button):
+            widget.setEnabled(command is not None)
         self.editor.blockSignals(True)
         self.editor.setKeySequence(self._shortcuts.key(command.id) if command else QKeySequence())
         self.editor.blockSignals(False)
+
+    def _on_key(self, key: QKeySequence) -> None:
+        """Take on what was pressed; each press begins with no key, which removes nothing."""
+        if not key.isEmpty():
+            self._change(key)
 
     def _change(self, key: QKeySequence) -> None:
         command = self.table.command()
@@ -185,6 +208,7 @@ class ShortcutPage(QWidget):
             else f"“{name}” has {shown} now."
         )
         self.table.refresh()
+        self._show()
 
 
 def _fits(text: str, item: QTreeWidgetItem) -> bool:

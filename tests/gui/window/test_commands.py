@@ -2,16 +2,14 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QSettings, Qt
-from PySide6.QtGui import QGuiApplication, QKeySequence
-from PySide6.QtWidgets import QInputDialog, QMessageBox, QTextBrowser
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QContextMenuEvent, QGuiApplication, QKeySequence
+from PySide6.QtWidgets import QApplication, QInputDialog, QMessageBox, QTextBrowser, QToolBar
 
 from app.scene.camera import CameraPose
 from app.ui.actions import COMMANDS
 from app.ui.command_list import entries
 from app.ui.palette import CommandPalette
-from app.ui.preferences import open_preferences
-from app.ui.shortcut_sheet import ShortcutPage, ShortcutSheet
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -53,6 +51,10 @@ def test_the_palette_does_not_run_what_is_impossible_now(user, qtbot):
     assert dialog.model.entries[0].name == "Figure"
     qtbot.keyClick(dialog.line, Qt.Key.Key_Return)
     assert dialog.isVisible()
+    assert dialog.told.text().endswith("Not now: Open a model first.")
+    dialog.line.setText("zzz")
+    assert dialog.told.text() == "No command fits what is typed."
+    qtbot.keyClick(dialog.line, Qt.Key.Key_Return)
     dialog.close()
 
 
@@ -69,54 +71,6 @@ def test_the_palette_outlives_a_menu_that_is_filled_anew_by_what_was_chosen(user
     assert not dialog.isVisible()
     user.rest()
     chosen.run()  # does nothing, whether or not its action is still there
-
-
-def test_the_sheet_of_shortcuts_is_searched_by_name_and_key(user, qtbot):
-    user.press(Qt.Key.Key_Question)
-    sheet = user.window.findChild(ShortcutSheet)
-    qtbot.keyClicks(sheet.table.search, "ctrl+z")
-    shown = [c.id for c in COMMANDS if not sheet.table.items[c.id].isHidden()]
-    assert shown == ["undo"]
-    for word, command in (
-        ("swipe", "swipe"), ("noisy input", "compare_noisy"), ("restore camera", "restore_camera"),
-    ):  # fmt: skip
-        sheet.table.search.setText(word)
-        assert not sheet.table.items[command].isHidden()
-    sheet.close()
-
-
-def keyboard_page(user):
-    return open_preferences(user.window, "Keyboard").findChild(ShortcutPage)
-
-
-def test_a_key_is_changed_kept_and_reset(user, ball_file, window):
-    user.open(ball_file)
-    page = keyboard_page(user)
-    page.table.tree.setCurrentItem(page.table.items["difference"])
-    page.editor.setKeySequence(QKeySequence("K"))
-    page.window().close()
-    user.press(Qt.Key.Key_H)
-    assert user.window.session.study.view.colour == "none"
-    user.press(Qt.Key.Key_K)
-    assert user.window.session.study.view.colour == "vertex_rms"
-    assert QSettings().value("shortcuts/difference") == "K"
-    assert user.window.actions_["difference"].toolTip().endswith("(K)")
-    page = keyboard_page(user)
-    page.reset_button.click()
-    page.window().close()
-    assert user.window.actions_["difference"].shortcut().toString() == "H"
-    assert QSettings().value("shortcuts/difference") is None
-
-
-def test_a_key_that_is_taken_is_refused_and_named(user):
-    page = keyboard_page(user)
-    page.table.tree.setCurrentItem(page.table.items["edges"])
-    page.editor.setKeySequence(QKeySequence("Ctrl+Z"))
-    assert "belongs to “Undo”" in page.message.text()
-    assert user.window.actions_["edges"].shortcut().toString() == "W"
-    page.editor.clear()
-    assert user.window.actions_["edges"].shortcut().isEmpty()
-    page.window().close()
 
 
 def test_a_camera_is_copied_and_pasted(user, ball_file):
@@ -149,6 +103,7 @@ def test_a_camera_is_saved_by_name_with_the_study(user, ball_file, qtbot):
     dialog = user.window.findChild(QInputDialog)
     dialog.setTextValue("My side")
     dialog.accept()
+    assert "“My side” stands in View" in user.window.statusBar().currentMessage()
     user.press(Qt.Key.Key_6)
     menu = user.window.actions_.menu("View/&Cameras")
     next(a for a in menu.actions() if a.text() == "My side").trigger()
@@ -234,6 +189,14 @@ def test_panels_are_put_back(user, ball_file):
     assert areas[3] == Qt.DockWidgetArea.BottomDockWidgetArea
 
 
+def test_no_menu_of_the_right_button_hides_the_toolbar(user, qtbot):
+    bar = user.window.findChild(QToolBar)
+    place = bar.rect().center()
+    event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, place, bar.mapToGlobal(place))
+    QApplication.sendEvent(bar, event)
+    assert QApplication.activePopupWidget() is None
+
+
 def test_panels_come_back_where_they_were_after_a_restart(user, ball_file, qtbot):
     from app.ui.main_window import MainWindow
 
@@ -264,21 +227,6 @@ def test_every_entry_but_those_of_the_study_and_the_files_is_declared(user, ball
     changing = {"Cameras", "Open Recent"}
     for entry in entries(user.window):
         assert entry.action.objectName() in declared or changing & set(entry.menus), entry.path
-
-
-@pytest.mark.parametrize(
-    ("command", "key"),
-    [("theme_dark", "F7"), ("colour_normal_angle", "F8"), ("panel_Methods", "F9")],
-)
-def test_choices_and_panels_can_have_keys(user, ball_file, command, key):
-    user.open(ball_file)
-    page = keyboard_page(user)
-    page.table.tree.setCurrentItem(page.table.items[command])
-    page.editor.setKeySequence(QKeySequence(key))
-    page.window().close()
-    before = user.window.actions_[command].isChecked()
-    user.press(getattr(Qt.Key, f"Key_{key}"))
-    assert user.window.actions_[command].isChecked() is not before
 
 
 def test_a_sample_opens_from_the_palette(user, qtbot):
