@@ -13,11 +13,12 @@ from core.doctor import (
     REPAIRS,
     RepairChoice,
     Report,
-    examine,
-    needed_repairs,
-    repaired,
+    examination_steps,
+    needed_repair_steps,
+    repair_steps,
 )
 from core.mesh import TriangleMesh
+from core.stepwise import Stepwise
 from core.study import Study
 
 REPAIR_ALL = "Repair all"
@@ -53,6 +54,7 @@ class Doctor:
         self._session = session
         self._patient: TriangleMesh | None = None
         self._stage: _Stage | None = None
+        self._examination: Job | None = None
         self.report: Report | None = None
         self.outcome = ""
         session.meshes_changed.connect(self._examine)
@@ -62,7 +64,12 @@ class Doctor:
     @property
     def is_busy(self) -> bool:
         """Whether a repair or an examination is under way."""
-        return self.is_repairing or (self._patient is not None and self.report is None)
+        return self.is_repairing or self._examination is not None
+
+    @property
+    def is_cancelled(self) -> bool:
+        """Whether the examination of the model was given up."""
+        return self._patient is not None and self.report is None and not self._examination
 
     @property
     def is_repairing(self) -> bool:
@@ -88,18 +95,18 @@ class Doctor:
         """Do one repair, as a step that can be undone; where it changes nothing, say so."""
         choice = RepairChoice(repair=repair, params=params)
 
-        def choose(mesh: TriangleMesh) -> tuple[RepairChoice, ...]:
-            changes = repaired(mesh, [choice]).changes
+        def choose(mesh: TriangleMesh) -> Stepwise[tuple[RepairChoice, ...]]:
+            changes = (yield from repair_steps(mesh, [choice])).changes
             return () if changes == (NOTHING,) else (choice,)
 
         self._repair(choose, REPAIRS[repair].title)
 
     def repair_all(self) -> None:
         """Do all repairs that remove a defect and keep the shape, as one step."""
-        self._repair(needed_repairs, REPAIR_ALL)
+        self._repair(needed_repair_steps, REPAIR_ALL)
 
     def _repair(
-        self, choose: Callable[[TriangleMesh], tuple[RepairChoice, ...]], name: str
+        self, choose: Callable[[TriangleMesh], Stepwise[tuple[RepairChoice, ...]]], name: str
     ) -> None:
         """Choose repairs beside the window, and put them into the study."""
         mesh = self._patient
@@ -108,8 +115,8 @@ class Doctor:
         self._stage, self.outcome = _Stage.CHOOSING, ""
         self.changed.emit()
 
-        def steps() -> Iterator[tuple[RepairChoice, ...]]:
-            yield choose(mesh)
+        def steps() -> Iterator[tuple[RepairChoice, ...] | None]:
+            yield (yield from choose(mesh))
 
         def use(choices: tuple[RepairChoice, ...]) -> None:
             if choices and mesh is self._patient:
@@ -160,19 +167,32 @@ class Doctor:
         self._stage = None
         meshes = self._session.meshes
         mesh = meshes.comparison.original if meshes else None
-        if mesh is None or mesh is self._patient:
-            self.changed.emit()
-            return
-        self._patient, self.report = mesh, None
+        if mesh is not None and mesh is not self._patient:
+            self._patient, self.report = mesh, None
+            self._start(mesh)
+        self.changed.emit()
 
-        def steps() -> Iterator[Report]:
-            yield examine(mesh)
+    def resume(self) -> None:
+        """Examine the model after all where that was cancelled."""
+        if self._patient is not None and self.is_cancelled:
+            self._start(self._patient)
+            self.changed.emit()
+
+    def _start(self, mesh: TriangleMesh) -> None:
+        def steps() -> Iterator[Report | None]:
+            yield (yield from examination_steps(mesh))
 
         def use(report: Report) -> None:
             if mesh is self._patient:
                 self.report = report
+
+        def done() -> None:
+            if self._examination is job:
+                self._examination = None
                 self.changed.emit()
 
-        job = Job(steps(), use, self._session.report, title="Examining the model")
+        if self._examination:
+            self._examination.cancel()  # of a model that is no longer there
+        job = Job(steps(), use, self._session.report, done, title="Examining the model")
+        self._examination = job
         self._session.jobs.start(job)
-        self.changed.emit()

@@ -71,7 +71,7 @@ class Job(Task):
 
 
 def progress_job(
-    steps: Iterator[Progress[T]],
+    steps: Iterator[Progress[T] | None],
     use: Callable[[T], None],
     on_error: Callable[[Exception], None] = _ignore,
     on_done: Callable[[], None] = lambda: None,

@@ -5,6 +5,8 @@ from collections import OrderedDict
 from collections.abc import Callable, Hashable
 from typing import Generic, TypeVar
 
+from core.stepwise import Stepwise
+
 T = TypeVar("T")
 
 
@@ -38,6 +40,11 @@ class Kept(Generic[T]):
         while len(self._values) > 1 and self._is_full:
             self._values.popitem(last=False)
         return self._values[key]
+
+    def get_stepwise(self, key: Hashable, make: Callable[[], Stepwise[T]]) -> Stepwise[T]:
+        """Return the value under a key, made step by step if it is not there."""
+        value = self._values[key] if key in self._values else (yield from make())
+        return self.get(key, lambda: value)
 
     @property
     def _is_full(self) -> bool:

@@ -5,10 +5,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from core.comparison import Comparison
-from core.doctor import Repaired, repaired
+from core.doctor import Repaired, repair_steps
 from core.io import LoadedMesh, LoadError
 from core.models import matched, read_model
 from core.noise import add_noise
+from core.stepwise import Stepwise, carried_out
 from core.study import SAMPLE_PREFIX, Study
 from core.study_files import Fingerprint, fingerprint
 
@@ -70,7 +71,11 @@ class MeshReader:
 
     def read(self, study: Study) -> Meshes:
         """Read the meshes of a study and prepare what every method needs."""
-        meshes = self._read(study)
+        return carried_out(self.read_steps(study))
+
+    def read_steps(self, study: Study) -> Stepwise[Meshes]:
+        """Return what `read` does; whoever iterates may stop after any step."""
+        meshes = yield from self._read(study)
         self._meshes[meshes.key] = meshes
         self._open = {study.model, study.noisy}
         while len(self._meshes) > _FEWEST_PAIRS and self._bytes() > _SHARE * self.budget:
@@ -81,25 +86,26 @@ class MeshReader:
         pairs = self._meshes.values()
         return sum(_PREPARED * pair.comparison.noisy.vertices.nbytes for pair in pairs)
 
-    def _read(self, study: Study) -> Meshes:
+    def _read(self, study: Study) -> Stepwise[Meshes]:
         key = mesh_key(study)
         original, mark = self._file(study.model)
         marks = {study.model: mark}
-        whole = self._whole(study, original)
+        whole = yield from self._whole(study, original)
         if study.noisy is None:
             noisy = add_noise(whole.mesh, study.noise.sigma, study.noise.seed)
         else:
             scan, marks[study.noisy] = self._file(study.noisy)
             noisy = whole.carry(matched(original.mesh, scan))
+        yield
         comparison = Comparison(whole.mesh, noisy, study.model_units)
         _ = comparison.noisy_errors  # prepares the metrics here, beside the window
         return Meshes(key, original.name, original.report, comparison, marks, whole.changes)
 
-    def _whole(self, study: Study, original: LoadedMesh) -> Repaired:
+    def _whole(self, study: Study, original: LoadedMesh) -> Stepwise[Repaired]:
         """Repair the original; kept, so that other noise finds the same topology."""
         key = "|".join([_file_key(study.model), *_repair_keys(study)])
         if key not in self._repaired:
-            self._repaired[key] = repaired(original.mesh, study.repairs)
+            self._repaired[key] = yield from repair_steps(original.mesh, study.repairs)
         while len(self._repaired) > _KEPT:
             self._repaired.pop(next(iter(self._repaired)))
         return self._repaired[key]

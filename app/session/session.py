@@ -190,8 +190,8 @@ class Session:
         self._stop_loading()
         before = self.study
 
-        def read() -> Iterator[Meshes]:
-            yield self._reader.read(study)
+        def read() -> Iterator[Meshes | None]:
+            yield (yield from self._reader.read_steps(study))
 
         def done() -> None:
             if self._loading is job:

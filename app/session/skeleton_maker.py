@@ -14,7 +14,7 @@ from core.arrays import FloatArray
 from core.fields import ScalarField, scalar_field
 from core.mesh import TriangleMesh
 from core.mesh.geometry import bounding_box
-from core.mesh.remesh import decimated
+from core.mesh.remesh import decimated, decimation_steps
 from core.skeleton import (
     ComponentSurface,
     LevelCurves,
@@ -28,6 +28,7 @@ from core.skeleton import (
 )
 from core.skeleton.levels import LevelRule
 from core.statistics import Progress
+from core.stepwise import Stepwise, carried_out
 from core.study import SkeletonView
 
 _SKETCH_FACES = 24_000
@@ -160,6 +161,8 @@ class SkeletonMaker:
 
     def steps(self, source: SkeletonSource, view: SkeletonView) -> Iterator[Progress[Skeleton]]:
         """Draw the graph of a view as `make` does, one stage that is not there yet at a time."""
+        for _ in self._coarsen(source, view):
+            yield Progress(None, 0.0)
         stages = (self.mesh, self.field, self._rule, self._component_surfaces, self._sketch)
         for done, stage in enumerate(stages, 1):
             started = time.perf_counter()
@@ -167,6 +170,12 @@ class SkeletonMaker:
             if time.perf_counter() - started > _NOTICED:
                 yield Progress(None, done / (len(stages) + 1))
         yield Progress(self.make(source, view), 1.0)
+
+    def _coarsen(self, source: SkeletonSource, view: SkeletonView) -> Stepwise[None]:
+        """Decimate the surface of a view, and what is drawn of it while something moves."""
+        key, whole = _mesh_key(source, view), self._meshes.get(source.key, source.build)
+        mesh = yield from self._meshes.get_stepwise(key, lambda: decimation_steps(whole, view.keep))
+        yield from self._sketches.get_stepwise(key, lambda: sketch_steps(mesh))
 
     def mesh(self, source: SkeletonSource, view: SkeletonView) -> TriangleMesh:
         """Return the surface of a view, decimated as it asks."""
@@ -186,7 +195,7 @@ class SkeletonMaker:
 
     def _sketch(self, source: SkeletonSource, view: SkeletonView) -> Sketch | None:
         mesh = self.mesh(source, view)
-        return self._sketches.get(_mesh_key(source, view), lambda: sketch_of(mesh))
+        return self._sketches.get(_mesh_key(source, view), lambda: carried_out(sketch_steps(mesh)))
 
     def _component_surfaces(
         self, source: SkeletonSource, view: SkeletonView
@@ -201,12 +210,12 @@ def diagonal(mesh: TriangleMesh) -> float:
     return float(np.linalg.norm(high - low))
 
 
-def sketch_of(mesh: TriangleMesh) -> Sketch | None:
+def sketch_steps(mesh: TriangleMesh) -> Stepwise[Sketch | None]:
     """Make the coarse copy of a large surface; a small one needs none."""
     share = _SKETCH_FACES / max(len(mesh.faces), 1)
     if share >= 1:
         return None
-    coarse = decimated(mesh, share)
+    coarse = yield from decimation_steps(mesh, share)
     nearest = np.asarray(scipy.spatial.KDTree(mesh.vertices).query(coarse.vertices)[1], np.int64)
     return Sketch(coarse, nearest)
 

@@ -11,7 +11,7 @@ from app.session.session import Session
 from app.session.skeleton_invariance import InvarianceReport, invariance_steps
 from app.session.skeleton_maker import Skeleton, SkeletonMaker, SkeletonSource
 from core.mesh import TriangleMesh
-from core.skeleton import AutomaticResolution, automatic_resolution
+from core.skeleton import AutomaticResolution, automatic_resolution_steps
 from core.smoothing import METHODS
 from core.statistics import Progress
 from core.study import SkeletonView, Study
@@ -114,7 +114,7 @@ class SkeletonViews:
         self,
         view: int,
         title: str,
-        work: Callable[[Skeleton], Iterator[Progress[T]]],
+        work: Callable[[Skeleton], Iterator[Progress[T] | None]],
         use: Callable[[T], None],
     ) -> None:
         """Work on the graph of a view beside the window."""
@@ -223,8 +223,9 @@ class SkeletonViews:
         )
 
 
-def _automatic(known: Skeleton) -> Iterator[Progress[AutomaticResolution]]:
-    found = automatic_resolution(known.mesh, known.field, spacing=known.view.spacing)
+def _automatic(known: Skeleton) -> Iterator[Progress[AutomaticResolution] | None]:
+    steps = automatic_resolution_steps(known.mesh, known.field, spacing=known.view.spacing)
+    found = yield from steps
     yield Progress(found, 1.0)
 
 

@@ -16,9 +16,11 @@ from PySide6.QtWidgets import (
 
 from app.export.doctor_reports import headline
 from app.ui.controls import FaintLabel
+from app.ui.doctor_checks import DoctorChecks
 from app.ui.doctor_finding import FindingCard
 
 _SIZE = QSize(460, 620)
+"""The largest; where there is less to say the dialog is less high."""
 
 
 class DoctorDialog(QDialog):
@@ -43,6 +45,7 @@ class DoctorDialog(QDialog):
         self.done_title.setContentsMargins(0, 8, 0, 0)
         self.changes = QLabel(wordWrap=True)
         self.outcome = FaintLabel()
+        self.checks = DoctorChecks()
         self.cards: list[FindingCard] = []
         self._list = QVBoxLayout()
         self.repair_all = QPushButton("Repair &all", autoDefault=False)
@@ -54,9 +57,11 @@ class DoctorDialog(QDialog):
         # Else the keys of undo and redo would do nothing while the dialog has the focus.
         self.addActions([window.actions_[command] for command in ("undo", "redo")])
         self._report: object = None
+        self._model = ""
         self._doctor.changed.connect(self.refresh)
-        self.refresh()
+        self.headline.setText("Examining the model …")
         self.resize(_SIZE.boundedTo(window.size()))
+        self.refresh()
 
     @classmethod
     def open_for(cls, window: Any) -> "DoctorDialog":
@@ -65,6 +70,7 @@ class DoctorDialog(QDialog):
         if dialog is None:
             dialog = cls(window)
             dialog._stand_at_the_right()
+        dialog._doctor.resume()
         dialog.show()
         dialog.raise_()
         dialog.activateWindow()
@@ -90,6 +96,7 @@ class DoctorDialog(QDialog):
         if doctor.report is not None and doctor.report is not self._report:
             self._report = doctor.report
             self._show_report()
+            self._fit(self._window.session.study.model)
         self.outcome.setText("Repairing …" if doctor.is_repairing else doctor.outcome)
         busy = doctor.is_busy
         sound = doctor.report is None or doctor.report.is_sound
@@ -107,10 +114,10 @@ class DoctorDialog(QDialog):
         column.setContentsMargins(0, 0, 8, 0)
         column.addWidget(self.verdict)
         column.addLayout(self._list)
-        column.addWidget(self.done_title)
-        column.addWidget(self.changes)
+        for widget in (self.done_title, self.changes, self.checks):
+            column.addWidget(widget)
         column.addStretch()
-        area = QScrollArea(frameShape=QFrame.Shape.NoFrame, widgetResizable=True)
+        area = self._area = QScrollArea(frameShape=QFrame.Shape.NoFrame, widgetResizable=True)
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         area.setWidget(inside)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
@@ -127,18 +134,31 @@ class DoctorDialog(QDialog):
         """Make the cards anew."""
         report = self._doctor.report
         self.headline.setText(f"{headline(report)[:1].upper()}{headline(report)[1:]}")
-        self.verdict.setText("Nothing is wrong with this mesh.")
-        self.verdict.setVisible(not report.findings)
+        worth = " Worth knowing:" if report.findings else ""
+        self.verdict.setText(f"Nothing is wrong with this mesh.{worth}")
+        self.verdict.setVisible(report.is_sound)
         for card in self.cards:
             self._list.removeWidget(card)
             card.deleteLater()
         self.cards = [FindingCard(finding) for finding in report.findings]
+        self.checks.show_absent(report.absent)
         for card in self.cards:
             self._list.addWidget(card)
             card.repair_requested.connect(self._doctor.repair)
             card.place_requested.connect(
                 lambda vertices, card=card: self._point_out(card, vertices)
             )
+
+    def _fit(self, model: str) -> None:
+        """Be no higher than there is something to say of a model that was just opened."""
+        if model == self._model:
+            return  # it would jump under the pointer
+        self._model = model
+        self.resize(_SIZE.boundedTo(self._window.size()))
+        self.layout().activate()
+        page = self._area.viewport()
+        needed = self._area.widget().layout().totalHeightForWidth(page.width())
+        self.resize(self.width(), self.height() - max(page.height() - needed, 0))
 
     def _point_out(self, shown: FindingCard, vertices: Any) -> None:
         """Show one place at a time."""

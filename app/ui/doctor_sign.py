@@ -34,7 +34,11 @@ class DoctorSign(QToolButton):
         """Show the report."""
         report = self._doctor.report
         self.setVisible(self._doctor.patient is not None)
-        if report is None:
+        if self._doctor.is_cancelled:
+            self._show(
+                "Not examined …", NOTE_ICON, self._ink(), "It was cancelled; click to do it."
+            )
+        elif report is None:
             self._show("Examining …", NOTE_ICON, self._ink(), "The model is being looked over.")
         elif report.is_sound:
             notes = "\n".join(finding.found.text for finding in report.findings)

@@ -10,15 +10,16 @@ from platformdirs import user_cache_path
 from app.session import Job, Session
 from core.io import save_mesh
 from core.mesh import TriangleMesh
-from core.mesh.remesh import barycentric_subdivision, decimated, midpoint_subdivision
+from core.mesh.remesh import barycentric_subdivision, decimation_steps, midpoint_subdivision
+from core.stepwise import Stepwise, at_once
 
-TOOLS: dict[str, tuple[str, Callable[[TriangleMesh], TriangleMesh]]] = {
-    "midpoint": ("Midpoint subdivision (× 4)", midpoint_subdivision),
-    "barycentric": ("Barycentric subdivision (× 6)", barycentric_subdivision),
-    "half": ("Decimation to a half", partial(decimated, share=0.5)),
-    "quarter": ("Decimation to a quarter", partial(decimated, share=0.25)),
+TOOLS: dict[str, tuple[str, Callable[[TriangleMesh], Stepwise[TriangleMesh]]]] = {
+    "midpoint": ("Midpoint subdivision (× 4)", at_once(midpoint_subdivision)),
+    "barycentric": ("Barycentric subdivision (× 6)", at_once(barycentric_subdivision)),
+    "half": ("Decimation to a half", partial(decimation_steps, share=0.5)),
+    "quarter": ("Decimation to a quarter", partial(decimation_steps, share=0.25)),
 }
-"""Title and function of each tool by id."""
+"""Title of each tool, and what makes the mesh, by id."""
 
 
 def remesh(session: Session, tool: str) -> None:
@@ -32,13 +33,14 @@ def remesh(session: Session, tool: str) -> None:
         return
     mesh, name = session.meshes.comparison.original, Path(session.meshes.name).stem
 
-    def steps() -> Iterator[Path]:
+    def steps() -> Iterator[Path | None]:
+        other = yield from make(mesh)
         # Undo goes back to the file, so no other model of that name may take its place.
         digest = sha256(mesh.vertices.tobytes() + mesh.faces.tobytes()).hexdigest()[:16]
         folder = user_cache_path("burnish") / "remeshed" / digest
         folder.mkdir(parents=True, exist_ok=True)
         path = folder / f"{name}_{tool}.ply"
-        save_mesh(make(mesh), path)
+        save_mesh(other, path)
         yield path
 
     def made(path: Path) -> None:

@@ -1,8 +1,5 @@
 """The loops in which a surface ends, followed from fan to fan."""
 
-from collections.abc import Iterator
-from itertools import pairwise
-
 import numpy as np
 import scipy
 
@@ -11,9 +8,10 @@ from core.doctor.spec import Numbers
 from core.doctor.splitting import fans
 from core.kernels import kernel
 from core.mesh import TriangleMesh
+from core.mesh.topology import Rows
 
 
-def boundary_loops(mesh: TriangleMesh) -> list[IntArray]:
+def boundary_loops(mesh: TriangleMesh) -> Rows:
     """Vertices of each boundary loop, in the order in which a patch has to run along it.
 
     Loops are followed from fan to fan, so holes that touch at a pinched vertex have one loop, as
@@ -28,7 +26,7 @@ def boundary_loops(mesh: TriangleMesh) -> list[IntArray]:
     at[start] = np.arange(len(start))
     following = np.where((outgoing & incoming)[end], at[end], -1)
     order, starts = _trace(following)
-    return [vertex[order[a:b]] for a, b in pairwise(starts)]
+    return Rows(starts.astype(np.int32), vertex[order])
 
 
 def _half_edges(mesh: TriangleMesh) -> tuple[Numbers, Numbers, IntArray]:
@@ -73,15 +71,34 @@ def loop_count(mesh: TriangleMesh) -> int:
     return int(scipy.sparse.csgraph.connected_components(graph, directed=False)[0])
 
 
-def simple_loops(mesh: TriangleMesh) -> Iterator[IntArray]:
+def simple_loops(mesh: TriangleMesh) -> Rows:
     """Boundary loops, cut where they come back to a vertex."""
-    for loop in boundary_loops(mesh):
-        walked: dict[int, None] = {}  # in the order of the walk
-        for vertex in loop.tolist():
-            if vertex in walked:
-                back = [walked.popitem()[0]]
-                while back[-1] != vertex:
-                    back.append(walked.popitem()[0])
-                yield np.array(back[::-1], np.int32)
-            walked[vertex] = None
-        yield np.array(list(walked), np.int32)
+    starts, items = _cut(*boundary_loops(mesh), len(mesh.vertices))
+    return Rows(starts, items)
+
+
+@kernel
+def _cut(starts: IntArray, items: IntArray, vertex_count: int) -> tuple[IntArray, IntArray]:
+    """Walk along each loop; what lies between two visits of a vertex is a loop of its own."""
+    place = np.full(vertex_count, -1)  # on the walk
+    walk, parts = np.empty_like(items), np.empty_like(items)
+    ends = np.zeros(len(items) + 1, np.int32)
+    filled, count = 0, 0
+    for loop in range(len(starts) - 1):
+        length = 0
+        for slot in range(starts[loop], starts[loop + 1] + 1):
+            is_over = slot == starts[loop + 1]
+            back = 0 if is_over else place[items[slot]]
+            if back >= 0:
+                for vertex in walk[back:length]:
+                    parts[filled] = vertex
+                    place[vertex] = -1
+                    filled += 1
+                count += 1
+                ends[count] = filled
+                length = back
+            if not is_over:
+                walk[length] = items[slot]
+                place[items[slot]] = length
+                length += 1
+    return ends[: count + 1], parts

@@ -19,6 +19,7 @@ from core.doctor.spec import (
 from core.kernels import parallel_kernel, prange
 from core.mesh import TriangleMesh
 from core.mesh.triangles import triangle_vector
+from core.stepwise import Stepwise, at_once
 
 # Height over the longest edge: below it a face is flat within the rounding of any file.
 FLAT = 1e-10
@@ -55,6 +56,7 @@ def _edge_lengths(mesh: TriangleMesh) -> FloatArray:
     return lengths
 
 
+@at_once
 def _look(mesh: TriangleMesh) -> Found | None:
     faces = np.flatnonzero(degenerate_faces(mesh))
     if not len(faces):
@@ -63,7 +65,7 @@ def _look(mesh: TriangleMesh) -> Found | None:
     return Found(len(faces), text, corners_of(mesh, faces))
 
 
-def remove_degenerate_faces(mesh: TriangleMesh, params: NoParams) -> Repaired:
+def remove_degenerate_faces(mesh: TriangleMesh, params: NoParams) -> Stepwise[Repaired]:
     """Remove faces without area and leave no crack where that is possible.
 
     A face with two corners at one place loses the edge between them. One whose corners lie in a
@@ -79,7 +81,7 @@ def remove_degenerate_faces(mesh: TriangleMesh, params: NoParams) -> Repaired:
     if not before:
         return unchanged(mesh)
     faces = _without_short_edges(mesh)
-    faces, flipped = _without_caps(mesh, faces)
+    faces, flipped = yield from _without_caps(mesh, faces)
     left = degenerate_faces(TriangleMesh(mesh.vertices, faces))
     turned = f", {counted(flipped, 'edge')} exchanged" if flipped else ""
     return rebuilt(mesh, faces[~left], f"Removed {counted(before, 'face')} without area{turned}.")
@@ -111,7 +113,7 @@ def without_collapsed(faces: Numbers) -> Numbers:
     return proper
 
 
-def _without_caps(mesh: TriangleMesh, faces: Numbers) -> tuple[Numbers, int]:
+def _without_caps(mesh: TriangleMesh, faces: Numbers) -> Stepwise[tuple[Numbers, int]]:
     """Exchange the longest edges of flat faces, round by round; also returns how many."""
     count = 0
     for _ in range(_ROUNDS if len(faces) else 0):
@@ -122,6 +124,7 @@ def _without_caps(mesh: TriangleMesh, faces: Numbers) -> tuple[Numbers, int]:
         faces = np.delete(faces, old.ravel(), axis=0)
         faces = np.concatenate([faces, new.reshape(-1, 3)])
         count += len(old)
+        yield
     return faces, count
 
 

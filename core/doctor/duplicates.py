@@ -18,6 +18,7 @@ from core.doctor.spec import (
 )
 from core.io.merging import merge_equal
 from core.mesh import TriangleMesh
+from core.stepwise import at_once
 
 
 @remembered
@@ -37,6 +38,7 @@ def repeated_faces(mesh: TriangleMesh) -> BoolArray:
     return mask
 
 
+@at_once
 def _look(mesh: TriangleMesh) -> Found | None:
     faces = np.flatnonzero(repeated_faces(mesh))
     if not len(faces):
@@ -46,6 +48,7 @@ def _look(mesh: TriangleMesh) -> Found | None:
     return Found(len(faces), text, corners_of(mesh, faces))
 
 
+@at_once
 def remove_duplicate_faces(mesh: TriangleMesh, params: NoParams) -> Repaired:
     """Keep the first of all faces whose corners lie at the same three places.
 

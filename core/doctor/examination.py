@@ -7,8 +7,9 @@ import numpy as np
 from core.doctor.boundary import loop_count
 from core.doctor.pieces import component_sizes
 from core.doctor.registry import FINDINGS, repair_for
-from core.doctor.spec import Finding
+from core.doctor.spec import Finding, FindingSpec
 from core.mesh import TriangleMesh
+from core.stepwise import Stepwise, carried_out
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,6 +41,11 @@ class Report:
     def defects(self) -> tuple[Finding, ...]:
         """Findings that are wrong with the file."""
         return tuple(finding for finding in self.findings if finding.is_defect)
+
+    @property
+    def absent(self) -> tuple[FindingSpec, ...]:
+        """What was looked for and not found."""
+        return tuple(spec for spec in FINDINGS if not self.count(spec.id))
 
     @property
     def is_sound(self) -> bool:
@@ -75,9 +81,14 @@ def examine(mesh: TriangleMesh) -> Report:
     >>> examine(primitives.sphere(1)).findings
     ()
     """
+    return carried_out(examination_steps(mesh))
+
+
+def examination_steps(mesh: TriangleMesh) -> Stepwise[Report]:
+    """Return what :func:`examine` does; whoever iterates may stop after any step."""
     findings = []
     for spec in FINDINGS:
-        found = spec.look(mesh)
+        found = yield from spec.look(mesh)
         if found is not None:
             findings.append(Finding(spec, found, repair_for(spec)))
     return Report(

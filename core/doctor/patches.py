@@ -46,6 +46,31 @@ def _chords(points: FloatArray, loop: IntArray, starts: IntArray, items: IntArra
 
 
 @kernel
+def patches_of(
+    vertices: FloatArray,
+    starts: IntArray,
+    loops: IntArray,
+    ring_starts: IntArray,
+    ring_items: IntArray,
+) -> tuple[IntArray, FloatArray]:
+    """Best patch of each loop and its area, infinite where there is none.
+
+    Loop i is ``loops[starts[i]:starts[i + 1]]`` and has two faces less than vertices, (k, 3), by
+    places in the loop.
+    """
+    count = len(starts) - 1
+    faces = np.zeros((starts[count] - starts[0] - 2 * count, 3), np.int32)
+    areas = np.empty(count)
+    filled = 0
+    for i in range(count):
+        loop = loops[starts[i] : starts[i + 1]]
+        found, areas[i] = patch(vertices[loop], loop, ring_starts, ring_items)
+        faces[filled : filled + len(found)] = found
+        filled += len(loop) - 2
+    return faces, areas
+
+
+@kernel
 def patch(
     points: FloatArray, loop: IntArray, starts: IntArray, items: IntArray
 ) -> tuple[IntArray, float]:

@@ -14,6 +14,7 @@ from core.doctor.spec import (
 )
 from core.mesh import TriangleMesh
 from core.parameters import Params, param
+from core.stepwise import at_once
 
 
 class SmallComponentParams(Params):
@@ -41,6 +42,7 @@ def _small(sizes: Numbers, share: float) -> Numbers:
     return np.flatnonzero(small)
 
 
+@at_once
 def _look(mesh: TriangleMesh) -> Found | None:
     sizes = component_sizes(mesh)
     pieces = sizes[sizes > 0]
@@ -57,6 +59,7 @@ def _look(mesh: TriangleMesh) -> Found | None:
     return Found(len(pieces), text, places)
 
 
+@at_once
 def remove_small_components(mesh: TriangleMesh, params: SmallComponentParams) -> Repaired:
     """Remove the components that have less than a share of all faces; the largest stays."""
     small = _small(component_sizes(mesh), params.share)

@@ -8,6 +8,7 @@ from core.doctor.registry import REPAIRS, repair_spec
 from core.doctor.spec import NOTHING, Repaired
 from core.mesh import TriangleMesh
 from core.parameters import Params, build_params, param
+from core.stepwise import Stepwise, carried_out
 
 
 class RepairChoice(Params):
@@ -61,9 +62,14 @@ def repair(mesh: TriangleMesh, repair: str, **params: float) -> Repaired:
 
 def repaired(mesh: TriangleMesh, choices: Iterable[RepairChoice]) -> Repaired:
     """Do repairs one after the other; `changes` of the result has one sentence for each."""
+    return carried_out(repair_steps(mesh, choices))
+
+
+def repair_steps(mesh: TriangleMesh, choices: Iterable[RepairChoice]) -> Stepwise[Repaired]:
+    """Return what :func:`repaired` does; whoever iterates may stop after any step."""
     result = Repaired(mesh, np.arange(len(mesh.vertices)))
     for choice in choices:
-        step = repair_spec(choice.repair).apply(result.mesh, choice.settings)
+        step = yield from repair_spec(choice.repair).apply(result.mesh, choice.settings)
         sources = result.sources[step.sources]
         result = Repaired(step.mesh, sources, result.changes + step.changes)
     return result
@@ -74,11 +80,16 @@ def needed_repairs(mesh: TriangleMesh) -> tuple[RepairChoice, ...]:
 
     Those that change the shape (filling holes, removing components) are left to the person.
     """
+    return carried_out(needed_repair_steps(mesh))
+
+
+def needed_repair_steps(mesh: TriangleMesh) -> Stepwise[tuple[RepairChoice, ...]]:
+    """Return what :func:`needed_repairs` does; whoever iterates may stop after any step."""
     chosen = []
     for spec in REPAIRS.values():
         if not spec.keeps_shape:
             continue
-        step = spec.apply(mesh, spec.params())
+        step = yield from spec.apply(mesh, spec.params())
         if step.changes != (NOTHING,):
             mesh = step.mesh
             chosen.append(RepairChoice(repair=spec.id))

@@ -23,6 +23,7 @@ from core.doctor.spec import (
     vertices_text,
 )
 from core.mesh import TriangleMesh
+from core.stepwise import at_once
 
 
 @remembered
@@ -53,6 +54,7 @@ def _boundary_pairs(mesh: TriangleMesh, ends: Numbers) -> Numbers:
     return lone
 
 
+@at_once
 def _look_for_seams(mesh: TriangleMesh) -> Found | None:
     partners = seam_partners(mesh)
     moved = np.flatnonzero(partners != np.arange(len(partners)))
@@ -63,6 +65,7 @@ def _look_for_seams(mesh: TriangleMesh) -> Found | None:
     return Found(len(moved), text, np.union1d(moved, partners[moved]))
 
 
+@at_once
 def _look_for_touches(mesh: TriangleMesh) -> Found | None:
     where, partners = places(mesh), seam_partners(mesh)
     pairs = np.stack([where, partners], axis=1)
@@ -75,6 +78,7 @@ def _look_for_touches(mesh: TriangleMesh) -> Found | None:
     return Found(count, text, np.flatnonzero(touching))
 
 
+@at_once
 def merge_duplicate_vertices(mesh: TriangleMesh, params: NoParams) -> Repaired:
     """Join the vertices on both sides of every seam; each keeps the smaller number.
 

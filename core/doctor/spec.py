@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from core.arrays import BoolArray, IntArray
 from core.mesh import TriangleMesh
 from core.parameters import Params
+from core.stepwise import Stepwise
 
 Numbers = NDArray[np.int64]
 
@@ -54,7 +55,7 @@ class FindingSpec:
     meaning : str
         What it means for the methods, in one or two sentences.
     look : callable
-        ``look(mesh)`` returns what is found, None where there is nothing.
+        ``look(mesh)`` returns, step by step, what is found; None where there is nothing.
     level : {"defect", "note"}
         A defect is wrong with the file; a note is worth knowing and may be meant.
     """
@@ -62,7 +63,7 @@ class FindingSpec:
     id: str
     title: str
     meaning: str
-    look: Callable[[TriangleMesh], Found | None]
+    look: Callable[[TriangleMesh], Stepwise[Found | None]]
     level: Literal["defect", "note"] = "defect"
 
 
@@ -126,8 +127,8 @@ class RepairSpec:
     summary : str
         One sentence: what it does.
     apply : callable
-        ``apply(mesh, params)`` returns the repaired mesh; a mesh that has no such defect comes
-        back with "Nothing to change." and the same vertices and faces.
+        ``apply(mesh, params)`` returns, step by step, the repaired mesh; one that has no such
+        defect comes back with "Nothing to change." and the same vertices and faces.
     removes : tuple of FindingSpec
         Findings that are gone afterwards.
     eases : tuple of FindingSpec
@@ -141,7 +142,7 @@ class RepairSpec:
     id: str
     title: str
     summary: str
-    apply: Callable[[TriangleMesh, Any], Repaired]
+    apply: Callable[[TriangleMesh, Any], Stepwise[Repaired]]
     removes: tuple[FindingSpec, ...]
     eases: tuple[FindingSpec, ...] = ()
     params: type[Params] = field(default=NoParams)

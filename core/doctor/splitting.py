@@ -24,6 +24,7 @@ from core.doctor.spec import (
 )
 from core.kernels import kernel
 from core.mesh import TriangleMesh
+from core.stepwise import at_once
 
 
 def fans(mesh: TriangleMesh) -> Numbers:
@@ -71,6 +72,7 @@ def _extra_fans(mesh: TriangleMesh) -> tuple[Numbers, Numbers]:
     return labels[~first], vertices[~first]
 
 
+@at_once
 def split_nonmanifold(mesh: TriangleMesh, params: NoParams) -> Repaired:
     """Give every fan of faces a vertex of its own; copies stand after all other vertices."""
     extra, vertices = _extra_fans(mesh)
@@ -88,6 +90,7 @@ def split_nonmanifold(mesh: TriangleMesh, params: NoParams) -> Repaired:
     return Repaired(TriangleMesh(mesh.vertices[sources], number.reshape(-1, 3)), sources, (change,))
 
 
+@at_once
 def _look_at_edges(mesh: TriangleMesh) -> Found | None:
     mask = mesh.topology.nonmanifold_edges
     if not mask.any():
@@ -98,6 +101,7 @@ def _look_at_edges(mesh: TriangleMesh) -> Found | None:
     return Found(count, f"{text}{vertices_text(len(ends))}.", ends)
 
 
+@at_once
 def _look_at_vertices(mesh: TriangleMesh) -> Found | None:
     pinched = np.flatnonzero(mesh.topology.pinched_vertices)
     if not len(pinched):

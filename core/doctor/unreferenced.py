@@ -13,8 +13,10 @@ from core.doctor.spec import (
     vertices_text,
 )
 from core.mesh import TriangleMesh
+from core.stepwise import at_once
 
 
+@at_once
 def _look(mesh: TriangleMesh) -> Found | None:
     isolated = np.flatnonzero(mesh.degrees == 0)
     if not len(isolated):
@@ -23,6 +25,7 @@ def _look(mesh: TriangleMesh) -> Found | None:
     return Found(len(isolated), f"{vertices_text(len(isolated))} {belong} to no face.", isolated)
 
 
+@at_once
 def remove_unreferenced_vertices(mesh: TriangleMesh, params: NoParams) -> Repaired:
     """Remove the vertices that belong to no face; the others keep their order."""
     used = np.flatnonzero(mesh.degrees > 0)

@@ -20,6 +20,7 @@ from core.doctor.spec import (
 )
 from core.kernels import kernel
 from core.mesh import TriangleMesh
+from core.stepwise import at_once
 
 # Volume over the cube of the box's diagonal, below which a surface encloses nothing.
 _NO_VOLUME = 1e-12
@@ -156,6 +157,7 @@ def _inside_another(
     return inside
 
 
+@at_once
 def _look_for_turns(mesh: TriangleMesh) -> Found | None:
     state = winding(mesh)
     corners = mesh.topology.edge_corners
@@ -169,6 +171,7 @@ def _look_for_turns(mesh: TriangleMesh) -> Found | None:
     return Found(len(edges), text, ends_of(mesh, edges))
 
 
+@at_once
 def _look_for_inside_out(mesh: TriangleMesh) -> Found | None:
     state = winding(mesh)
     sizes = np.bincount(state.sheet)
@@ -183,6 +186,7 @@ def _look_for_inside_out(mesh: TriangleMesh) -> Found | None:
     return Found(len(sheets), text, corners_of(mesh, faces))
 
 
+@at_once
 def _look_for_one_sided(mesh: TriangleMesh) -> Found | None:
     state = winding(mesh)
     sheets = np.flatnonzero(state.one_sided)
@@ -194,6 +198,7 @@ def _look_for_one_sided(mesh: TriangleMesh) -> Found | None:
     return Found(len(sheets), text, corners_of(mesh, faces))
 
 
+@at_once
 def orient(mesh: TriangleMesh, params: NoParams) -> Repaired:
     """Turn faces round so that neighbours agree and closed surfaces have their outside out.
 

@@ -13,8 +13,9 @@ import numpy as np
 from core.arrays import IntArray
 from core.mesh.topology import MOST_NEIGHBOURS, Topology
 
-# Few enough to be gone through in a moment; an ordinary mesh of a million faces has fewer.
-_FEW_NEIGHBOURS = 20_000_000
+# Few enough to be gone through in a moment, even where others load the machine; an ordinary mesh of
+# half a million faces has fewer.
+_FEW_NEIGHBOURS = 10_000_000
 
 
 class RingPart(NamedTuple):
@@ -55,11 +56,9 @@ class FaceRings:
     def parts(self) -> Iterator[RingPart]:
         """Yield the rings of all faces; an ordinary mesh has one part.
 
-        Where they are too many to be kept, each part is computed when it is its turn.
+        Each part is computed when it is its turn, and kept unless they are too many.
         """
+        topology = self._topology
+        rows = topology.kept_face_rings if self._are_kept else topology.face_rings
         for first, last in pairwise(self._bounds):
-            if self._are_kept:
-                starts, items = self._topology.face_ring
-                yield RingPart(first, starts[first : last + 1], items)
-            else:
-                yield RingPart(first, *self._topology.face_rings(first, last))
+            yield RingPart(first, *rows(first, last))

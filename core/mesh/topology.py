@@ -110,7 +110,17 @@ class Topology:
                 f"{around.max():,} faces meet in one vertex, and each would be compared with all "
                 "others there; that takes more memory than is allowed."
             )
-        return self.face_rings(0, len(self.faces))
+        return self.kept_face_rings(0, len(self.faces))
+
+    def kept_face_rings(self, first: int, last: int) -> Rows:
+        """Return the rows of `face_ring` from one face on, up to another, and keep them."""
+        if (first, last) not in self._known_face_rings:
+            self._known_face_rings[first, last] = self.face_rings(first, last)
+        return self._known_face_rings[first, last]
+
+    @cached_property
+    def _known_face_rings(self) -> dict[tuple[int, int], Rows]:
+        return {}
 
     def face_rings(self, first: int, last: int) -> Rows:
         """Compute the rows of `face_ring` from one face on, up to another."""

@@ -1,6 +1,10 @@
 """Skeletal graphs: levels, bands, the graph, the Reeb graph, and their files."""
 
-from core.skeleton.automatic import AutomaticResolution, automatic_resolution
+from core.skeleton.automatic import (
+    AutomaticResolution,
+    automatic_resolution,
+    automatic_resolution_steps,
+)
 from core.skeleton.build import graph_of, skeletal_graph
 from core.skeleton.curves import LevelCurves, level_curves
 from core.skeleton.cut import CutSurface, cut_surface
@@ -25,6 +29,7 @@ __all__ = [
     "SkeletalGraph",
     "Spacing",
     "automatic_resolution",
+    "automatic_resolution_steps",
     "band_levels",
     "component_surfaces",
     "cut_surface",

@@ -9,6 +9,7 @@ from core.parameters import ParameterError
 from core.skeleton.bands import NO_FACES, band_components
 from core.skeleton.levels import Spacing, level_rule, vertex_bands
 from core.skeleton.reeb import ReebGraph, reeb_graph
+from core.stepwise import Stepwise, carried_out
 
 LARGEST_RESOLUTION = 64
 """Largest resolution that is tried."""
@@ -89,9 +90,21 @@ def automatic_resolution(
     smaller R shows less by luck; and that the lengths mean sizes, since they are differences of
     the field and not of positions.
     """
+    return carried_out(automatic_resolution_steps(mesh, field, share, spacing, reeb))
+
+
+def automatic_resolution_steps(
+    mesh: TriangleMesh,
+    field: ScalarField,
+    share: float = 0.05,
+    spacing: Spacing = "value",
+    reeb: ReebGraph | None = None,
+) -> Stepwise[AutomaticResolution]:
+    """Return what :func:`automatic_resolution` does; whoever iterates may stop after any step."""
     if not 0 <= share <= 1:
         raise ParameterError(f"share={share} is not allowed; use 0 to 1.")
     graph = (reeb or reeb_graph(mesh, field)).simplified(share)
+    yield
     branches = _long_branches(graph, share)
     rule = level_rule(mesh, field, spacing)
 
@@ -100,11 +113,14 @@ def automatic_resolution(
         apart = bands[branches[:, 0]] < bands[branches[:, 1]]
         return bool(apart.all()) and _band_loops(graph, bands) == graph.loops
 
-    tried = range(1, LARGEST_RESOLUTION + 1)
-    found = next((resolution for resolution in tried if shows_all(resolution)), None)
+    resolution, is_complete = 1, shows_all(1)
+    while not is_complete and resolution < LARGEST_RESOLUTION:
+        yield
+        resolution += 1
+        is_complete = shows_all(resolution)
     return AutomaticResolution(
-        resolution=found or LARGEST_RESOLUTION,
-        is_complete=found is not None,
+        resolution=resolution,
+        is_complete=is_complete,
         loops=graph.loops,
         branches=len(branches),
         share=share,

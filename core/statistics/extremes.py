@@ -31,6 +31,8 @@ _FACTORISED = 0.4
 _RESTARTS, _SHIFTS, _CLOSER = 20, 12, 2e-2
 # A component of so few vertices has all its eigenvalues found in a fraction of a second.
 _DENSE = 300
+# Eigenvalues are counted where two are further apart than this share of the way to the shift.
+_DISTINCT = 1e-6
 _NO_CONVERGENCE = (
     "The extreme eigenvalues do not converge on this mesh; a vertex with very many neighbours is "
     "the usual reason."
@@ -106,10 +108,11 @@ def _outermost(
 ) -> Iterator[Found]:
     """Find the `count` largest eigenvalues, ascending, from a shift just beyond them.
 
-    Where the method does not converge, the components are taken one by one, if there are several:
-    eigenvalues that are equal because components are have then fewer copies. Else the shift moves
-    to just beyond the first eigenvalue that is missing. It may pass some on its way; how many is
-    known from the factors, and these are found from where the shift was before.
+    Where the method does not converge, or overlooks copies of an eigenvalue, the components are
+    taken one by one, if there are several: eigenvalues that are equal because components are have
+    then fewer copies. Else the shift moves to just beyond the first eigenvalue that is missing. It
+    may pass some on its way; how many is known from the factors, and these are found from where the
+    shift was before.
     """
     found: list[FloatArray] = []
     place = _Place.at(matrix, shift, kernel)
@@ -118,10 +121,14 @@ def _outermost(
     for attempt in range(_SHIFTS):
         yield None, _FACTORISED
         try:
-            found.append(place.nearest(count - place.passed))
-            break
+            values, known = place.nearest(count - place.passed), 0
+            if place.has_all(values):
+                found.append(values)
+                break
         except scipy.sparse.linalg.ArpackNoConvergence as error:
             known = len(error.eigenvalues)
+        except scipy.sparse.linalg.ArpackError:  # there are few different eigenvalues
+            known = 0
         if attempt == 0 and len(parts := _components(matrix)) > 1:
             yield from _outermost_of(parts, matrix, count, kernel)
             return
@@ -129,7 +136,10 @@ def _outermost(
         if closer.passed - place.passed > known:  # copies of one eigenvalue were overlooked
             closer = place.closer(0)
         if closer.passed > place.passed:
-            found.append(place.nearest(min(closer.passed, count) - place.passed))
+            values = place.nearest(min(closer.passed, count) - place.passed)
+            if values[0] <= closer.shift or not place.has_all(values):
+                raise ValueError(_NO_CONVERGENCE)
+            found.append(values)
         if closer.passed >= count:
             break
         place = closer
@@ -242,6 +252,21 @@ class _Place:
             return_eigenvectors=False,
         )
         return np.sort(values)
+
+    def has_all(self, values: FloatArray) -> bool:
+        """Whether there are no more eigenvalues than these, ascending, down to the smallest.
+
+        A Lanczos method meets each eigenvalue once; that it finds copies is owed to rounding. They
+        are counted above the lowest gap, where factors are safe: none of the equal values at the
+        end is a wrong one.
+        """
+        gaps = np.flatnonzero(np.diff(values) > _DISTINCT * (self.shift - values[0]))
+        if not len(gaps):
+            return True
+        below = int(gaps[0])
+        gap = float(values[below] + values[below + 1]) / 2
+        larger = _Place.at(self.matrix, gap, self.kernel).passed
+        return larger - self.passed == len(values) - 1 - below
 
     def closer(self, known: int) -> "_Place":
         """Move to just beyond the first eigenvalue below σ after some that are known."""

@@ -3,19 +3,32 @@
 A number is finite, or it is refused with one sentence.
 """
 
+import threading
 import time
 
 import numpy as np
 import pytest
 
 from core.comparison import Comparison
+from core.doctor import NOTHING, REPAIRS, RepairError, examine, repair
 from core.fields import FIELDS, scalar_field
 from core.mesh import MeshError, TriangleMesh
+from core.mesh.remesh import decimated
 from core.metrics import METRICS, metrics_in
 from core.noise import add_noise
 from core.skeleton import automatic_resolution, level_curves, reeb_graph, skeletal_graph
 from core.smoothing import METHODS, DivergenceError, smooth
-from core.statistics import GeodesicParams, SpectrumParams, StatisticsError, mesh_statistics
+from core.statistics import (
+    GeodesicParams,
+    SpectrumParams,
+    StatisticsError,
+    connectivity,
+    finished,
+    geodesic_steps,
+    mesh_statistics,
+    spectrum_steps,
+)
+from core.statistics.summary import summarise
 from core.study import MethodChoice
 
 FILTERS = ("mean", "median")
@@ -104,6 +117,57 @@ def test_the_statistics_are_finite_or_refused(modest_mesh):
     for values in (statistics.degree, statistics.assortativity, statistics.clustering):
         assert np.isfinite(list(dict(values).values())).all()
     assert np.isfinite(statistics.average_degree)
+
+
+@pytest.mark.parametrize("along", ["neighbours", "edges"])
+def test_distances_on_a_huge_fan_are_finite(along, huge_fan):
+    result = finished(geodesic_steps(huge_fan, GeodesicParams(along=along, sources=2)))
+    assert np.isfinite([result.mean, result.longest]).all()
+    assert result.unreachable_pairs == 0
+
+
+def test_the_connectivity_of_a_huge_fan_is_finite(huge_fan):
+    vertices, summary = connectivity(huge_fan), summarise(huge_fan)
+    for values in (vertices.neighbour_degrees, vertices.clustering):
+        assert np.isfinite(values).all()
+    assert vertices.degrees.max() == 50_000
+    assert np.isfinite([summary.average_degree, vertices.assortativity_coefficient]).all()
+
+
+@pytest.mark.parametrize("matrix", ["laplacian", "normalized_laplacian"])
+def test_the_spectrum_of_a_huge_fan_can_be_left(matrix, huge_fan):
+    steps = spectrum_steps(huge_fan, SpectrumParams(matrix=matrix))
+    assert [next(steps).value for _ in range(10)] == [None] * 10
+    steps.close()
+    assert "burnish-apart" not in [thread.name for thread in threading.enumerate()]
+
+
+def test_a_repair_removes_what_it_says_from_every_mesh(modest_mesh):
+    for id_, spec in REPAIRS.items():
+        try:
+            result = repair(modest_mesh, id_)
+        except RepairError as error:
+            refusal(error)
+            continue
+        assert np.array_equal(result.mesh.vertices, modest_mesh.vertices[result.sources])
+        left = examine(result.mesh)
+        assert not any(left.count(finding.id) for finding in spec.removes)
+
+
+def test_a_huge_fan_is_looked_over_and_repaired_in_a_moment(small_fan, huge_fan):
+    examine(small_fan)  # reads what is compiled
+    assert examine(huge_fan).count("boundary") == 1
+    for id_ in REPAIRS:
+        started = time.process_time()
+        assert repair(huge_fan, id_).changes == (NOTHING,)
+        assert time.process_time() - started < 1
+
+
+@pytest.mark.parametrize("share", [0.01, 0.5])
+def test_every_decimation_is_finite(share, modest_mesh):
+    coarse = decimated(modest_mesh, share)
+    assert np.isfinite(coarse.vertices).all()
+    assert len(coarse.faces) <= len(modest_mesh.faces)
 
 
 @pytest.mark.parametrize("method", FILTERS)

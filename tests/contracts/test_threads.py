@@ -4,6 +4,7 @@ import numba
 import numpy as np
 import pytest
 
+from core.doctor import REPAIRS, examine, repair
 from core.fields import FIELDS, critical_vertices, scalar_field
 from core.mesh import TriangleMesh, primitives
 from core.metrics import METRICS
@@ -100,6 +101,18 @@ def arrays_of(parts):
             elif isinstance(value, int | float):
                 numbers.append(value)
     return np.array(numbers, float)
+
+
+def test_the_doctor():
+    def look():
+        mesh = fresh("ball")
+        holed = TriangleMesh(mesh.vertices, np.delete(mesh.faces, np.s_[::50], axis=0))
+        repairs = [repair(holed, id_) for id_ in REPAIRS]
+        return examine(holed), [(done.changes, done.mesh.faces.tolist()) for done in repairs]
+
+    for (one, repairs), (more, others) in with_each_number_of_threads(look):
+        assert [f.found.text for f in more.findings] == [f.found.text for f in one.findings]
+        assert others == repairs
 
 
 def test_topology_and_the_guard():

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from core.apart import run_apart
+from core.mesh import quadrics
 from core.statistics import extremes, heat
 
 HERE = Path(__file__).parent
@@ -119,7 +120,7 @@ def test_it_does_not_outlive_who_started_it(how):
     wait_until(lambda: is_gone(process))
 
 
-@pytest.mark.parametrize("module", [extremes, heat])
+@pytest.mark.parametrize("module", [extremes, heat, quadrics])
 def test_the_files_that_run_apart_import_nothing_of_the_project(module):
     code = f"import runpy, sys; runpy.run_path({module.__file__!r}); print(*sys.modules)"
     done = subprocess.run(

@@ -112,6 +112,21 @@ def test_a_disk_that_fails_when_asked_to_keep_is_told(number, name, tmp_path, re
 
 
 @pytest.mark.parametrize("name", WRITERS)
+def test_a_file_that_another_program_holds_is_told(name, tmp_path, result, monkeypatch):
+    """As on Windows, where what another program has open cannot be replaced."""
+
+    def fail(source: str | Path, target: str | Path) -> None:
+        raise PermissionError(errno.EACCES, "The file is in use by another process", str(target))
+
+    path = tmp_path / name
+    path.write_bytes(b"old")
+    monkeypatch.setattr(os, "replace", fail)
+    assert "in use by another process" in refused(name, path, result)
+    assert path.read_bytes() == b"old"
+    assert [entry.name for entry in tmp_path.iterdir()] == [name]
+
+
+@pytest.mark.parametrize("name", WRITERS)
 def test_a_folder_that_was_removed_is_told(name, tmp_path, result):
     folder = tmp_path / "gone"
     folder.mkdir()

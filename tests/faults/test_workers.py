@@ -69,6 +69,7 @@ def test_numpy_without_memory_is_one_sentence(owner):
         (MemoryError(), "There is not enough memory for that. What was open is as it was;"),
         (OSError(28, "No space left on device", "/far/away/a.ply"), "a.ply: No space left on dev"),
         (OSError("odd"), "odd."),
+        (ChildProcessError("Its own process has ended"), "Its own process has ended."),
         (ValueError("a.ply: it is cut short."), "a.ply: it is cut short."),
         (ValueError(), "ValueError"),
     ],

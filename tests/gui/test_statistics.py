@@ -1,5 +1,6 @@
 """The Statistics tab: what it computes and when, hovering, a second model, saving, mesh tools."""
 
+import threading
 from dataclasses import replace
 
 import pytest
@@ -10,6 +11,7 @@ from app.export.statistics_axes import NOT_YET
 from app.export.statistics_plots import PLOTS
 from app.export.statistics_series import SERIES_COLOURS, Series
 from app.scene.colours import DARK, LIGHT
+from app.session import Job
 from app.ui import statistics_tools
 from app.ui.statistics_plot import StatisticsPlot
 from app.ui.statistics_saving import cell_writer, copy_numbers
@@ -17,7 +19,7 @@ from app.ui.statistics_tab import StatisticsTab
 from app.ui.statistics_work import Model
 from core import mesh_statistics
 from core.io import save_mesh
-from core.mesh import primitives
+from core.mesh import primitives, remesh
 from core.statistics import connectivity
 
 pytestmark = pytest.mark.gui
@@ -344,3 +346,27 @@ def test_mesh_tools_are_undoable(qtbot, session, tab, tmp_path, monkeypatch):
     assert session.history.undo_name == "Barycentric subdivision (× 6)"
     session.undo()
     qtbot.waitUntil(lambda: session.meshes.name == "ball.ply", timeout=20_000)
+
+
+def test_a_decimation_that_is_cancelled_leaves_nothing(qtbot, session, tmp_path, monkeypatch):
+    """It takes place in another process, which is ended, and the worker goes on."""
+    run_apart, begun, free = remesh.run_apart, threading.Event(), threading.Event()
+
+    def endless(*work):
+        begun.set()
+        yield from run_apart(*work)
+        while True:
+            yield None
+
+    monkeypatch.setattr(statistics_tools, "user_cache_path", lambda *_, **__: tmp_path / "cache")
+    monkeypatch.setattr(remesh, "_LONG", -1)
+    monkeypatch.setattr(remesh, "run_apart", endless)
+    before = session.study
+    statistics_tools.remesh(session, "half")
+    qtbot.waitUntil(begun.is_set, timeout=20_000)
+    session.cancel()
+    session.jobs.start(Job(iter([None]), on_done=free.set))
+    qtbot.waitUntil(free.is_set, timeout=20_000)
+    assert session.study is before
+    assert not (tmp_path / "cache").exists()
+    assert "burnish-apart" not in [thread.name for thread in threading.enumerate()]

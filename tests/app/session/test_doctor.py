@@ -151,3 +151,42 @@ def _mesh(path):
     from core.io import load_mesh
 
     return load_mesh(path)
+
+
+def endless(*_):
+    """Work that does not end by itself."""
+    while True:
+        yield
+
+
+def test_a_cancelled_examination_can_be_done_after_all(practice, bad_file, monkeypatch):
+    monkeypatch.setattr("app.session.doctor.examination_steps", endless)
+    choices = (MethodChoice(method="laplacian", iterations=2),)
+    practice.session.apply(Study(model=str(bad_file), methods=choices), "Open")
+    practice.work_until(lambda: practice.doctor.is_busy)
+    practice.session.cancel()
+    practice.work_until(lambda: practice.doctor.is_cancelled)
+    assert not practice.doctor.is_busy
+    monkeypatch.undo()
+    practice.doctor.resume()
+    practice.work_until(lambda: practice.doctor.report is not None)
+    assert not practice.doctor.is_cancelled
+
+
+@pytest.mark.parametrize("where", ["app.session.doctor", "app.session.meshes"])
+def test_a_repair_that_is_cancelled_between_its_steps_changes_nothing(
+    practice, bad_file, monkeypatch, where
+):
+    """While it is looked whether it changes anything, and while the mesh is repaired."""
+    practice.open(bad_file)
+    monkeypatch.setattr(f"{where}.repair_steps", endless)
+    practice.doctor.repair("duplicate_faces", {})
+    if where == "app.session.meshes":
+        practice.work_until(lambda: practice.session.is_loading)
+    practice.session.cancel()
+    practice.rest()
+    assert (practice.faces, practice.session.study.repairs) == (321, ())
+    monkeypatch.undo()
+    practice.doctor.repair("duplicate_faces", {})
+    practice.rest()
+    assert practice.faces == 320

@@ -6,11 +6,12 @@ import time
 import numpy as np
 import pytest
 
-from app.session import Session
+from app.session import Session, skeleton_maker
 from app.session.skeleton_invariance import is_same_graph, random_motion
+from app.session.skeleton_maker import SkeletonMaker, SkeletonSource
 from app.session.skeleton_views import SkeletonViews
 from core.io import save_mesh
-from core.mesh import primitives
+from core.mesh import primitives, remesh
 from core.skeleton import skeletal_graph
 from core.study import MethodChoice, SkeletonSettings, SkeletonView, Study
 
@@ -234,3 +235,19 @@ def test_what_was_drawn_already_is_not_called_cancelled(awake):
     awake.change(1, resolution=22)
     awake.session.cancel()
     assert not awake.views.is_cancelled(1)
+
+
+def test_a_large_surface_is_decimated_in_steps(monkeypatch):
+    """Both what is shown and its coarse copy come from another process where that takes long."""
+    monkeypatch.setattr(remesh, "_LONG", -1)
+    monkeypatch.setattr(skeleton_maker, "_SKETCH_FACES", 300)
+    ball = primitives.sphere(3)
+    maker, view = SkeletonMaker(), SkeletonView(keep=0.5)
+    source = SkeletonSource("ball", lambda: ball)
+    *waiting, last = maker.steps(source, view)
+    assert len(waiting) > 2
+    assert {step.value for step in waiting} == {None}
+    at_once = SkeletonMaker().make(source, view)
+    assert np.array_equal(last.value.mesh.vertices, at_once.mesh.vertices)
+    assert np.array_equal(last.value.sketch.nearest, at_once.sketch.nearest)
+    assert len(last.value.sketch.mesh.faces) <= 300 < len(last.value.mesh.faces) == 640

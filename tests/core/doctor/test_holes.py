@@ -3,11 +3,12 @@
 import numpy as np
 import pytest
 
-from core.doctor import NOTHING, examine, repair
+from core.doctor import NOTHING, examine, filling, repair
 from core.doctor.patches import patch
 from core.io import load_mesh
 from core.mesh import TriangleMesh, primitives
 from core.mesh.geometry import face_areas, volume
+from core.stepwise import carried_out
 
 NO_RINGS = np.zeros(100, np.int32), np.zeros(0, np.int32)
 
@@ -52,6 +53,19 @@ def test_the_end_of_a_surface_is_no_hole():
     assert repair(primitives.grid(3, 3), "fill_holes").changes == (NOTHING,)
     triangle = TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
     assert repair(triangle, "fill_holes").changes == (NOTHING,)
+
+
+def test_holes_are_filled_some_at_a_time(monkeypatch):
+    ball = primitives.sphere(1)
+    copy = np.arange(8)[:, None, None]
+    places, corners = ball.vertices + 3 * copy, ball.faces[1:] + len(ball.vertices) * copy
+    mesh = TriangleMesh(places.reshape(-1, 3), corners.reshape(-1, 3))
+    assert repair(mesh, "fill_holes").changes == ("Filled 8 holes with 8 faces.",)
+    whole = carried_out(filling.filling_steps(mesh, 30))
+    monkeypatch.setattr(filling, "_STEP", 2 * 27)
+    steps = filling.filling_steps(mesh, 30)
+    assert [next(steps) for _ in range(4)] == [None] * 4
+    assert np.array_equal(carried_out(steps).patches, whole.patches)
 
 
 def test_the_largest_number_of_edges_is_kept_to(defective):

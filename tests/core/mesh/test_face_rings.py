@@ -52,6 +52,27 @@ def test_a_table_that_would_be_too_large_is_refused(monkeypatch):
         _ = fan(40).topology.face_ring
 
 
+@pytest.mark.parametrize("kept", [0, 10**9])
+def test_each_part_is_computed_at_its_turn_and_kept_where_it_may_be(kept, monkeypatch):
+    computed = []
+
+    def counted(table, first, last):
+        computed.append((first, last))
+        return face_rings_of(table, first, last)
+
+    face_rings_of = topology.Topology.face_rings
+    monkeypatch.setattr(topology.Topology, "face_rings", counted)
+    monkeypatch.setattr(face_rings, "MOST_NEIGHBOURS", kept)
+    monkeypatch.setattr(face_rings, "_FEW_NEIGHBOURS", 500)
+    rings = FaceRings(fan(40).topology)
+    next(parts := rings.parts())
+    assert len(computed) == 1
+    rest = len(list(parts))
+    assert rest > 1
+    assert len(list(rings.parts())) == rest + 1
+    assert len(computed) == (rest + 1 if kept else 2 * (rest + 1))
+
+
 def test_a_part_of_a_huge_fan_takes_a_moment_and_little_memory():
     _ = next(FaceRings(fan(10).topology).parts())
     started = time.thread_time()

@@ -1,11 +1,18 @@
 """Subdivision and decimation."""
 
+import threading
+
 import numpy as np
 import pytest
 
 from core import load_mesh
-from core.mesh import MeshError, geometry, primitives
-from core.mesh.remesh import barycentric_subdivision, decimated, midpoint_subdivision
+from core.mesh import MeshError, TriangleMesh, geometry, primitives, remesh
+from core.mesh.remesh import (
+    barycentric_subdivision,
+    decimated,
+    decimation_steps,
+    midpoint_subdivision,
+)
 
 MESHES = [primitives.torus(), primitives.grid(), primitives.sphere(1)]
 
@@ -62,6 +69,26 @@ def test_decimation_of_a_small_model_far_away():
     coarse = decimated(there, 0.5)
     assert np.abs(coarse.vertices - 100).max() < 1.1e-3
     assert coarse.genus == 0
+
+
+def test_in_another_process_it_is_the_same(monkeypatch):
+    mesh = primitives.sphere(3)
+    here = decimated(mesh, 0.3)
+    monkeypatch.setattr(remesh, "_LONG", -1)
+    there = decimated(mesh, 0.3)
+    assert np.array_equal(there.vertices, here.vertices)
+    assert np.array_equal(there.faces, here.faces)
+
+
+def test_a_fan_of_a_hundred_thousand_faces_can_be_left_at_any_time():
+    """The library alone takes eight seconds, and keeps the interpreter lock meanwhile."""
+    after = np.arange(1, 100_001)
+    faces = np.stack([0 * after, after, after % 100_000 + 1], axis=1)
+    fan = TriangleMesh(np.random.default_rng(0).random((100_001, 3)), faces)
+    steps = decimation_steps(fan, 0.5)
+    assert [next(steps) for _ in range(10)] == [None] * 10
+    steps.close()
+    assert "burnish-apart" not in [thread.name for thread in threading.enumerate()]
 
 
 def test_keeping_everything_changes_nothing():

@@ -5,7 +5,13 @@ import pytest
 from core.fields import scalar_field
 from core.mesh import primitives
 from core.parameters import ParameterError
-from core.skeleton import automatic_resolution, band_levels, graph_of, reeb_graph
+from core.skeleton import (
+    automatic_resolution,
+    automatic_resolution_steps,
+    band_levels,
+    graph_of,
+    reeb_graph,
+)
 
 MODELS = [
     "cow_2904.off",
@@ -55,6 +61,18 @@ def test_every_share_from_two_bands_on_is_complete(model):
     assert automatic_resolution(mesh, field, 2 / 64).is_complete
     short = automatic_resolution(mesh, field, 0)
     assert (short.resolution, short.is_complete) == (64, False)
+
+
+def test_it_may_be_left_after_every_resolution():
+    mesh = primitives.torus(40, 24)
+    field = scalar_field(mesh, "height")
+    steps = automatic_resolution_steps(mesh, field)
+    chosen = automatic_resolution(mesh, field)
+    assert chosen.resolution > 2
+    assert [next(steps) for _ in range(chosen.resolution)] == [None] * chosen.resolution
+    with pytest.raises(StopIteration) as end:
+        next(steps)
+    assert end.value.value == chosen
 
 
 def test_errors_say_what_is_allowed():

@@ -179,6 +179,28 @@ def test_every_copy_of_an_eigenvalue_is_found(matrix):
 
 
 @pytest.mark.parametrize("matrix", MATRICES)
+def test_no_copy_at_the_cutoff_is_overlooked(matrix):
+    """Each copy of five equal ones; a Lanczos method alone gave others beyond them instead."""
+    ball, copies = primitives.sphere(1), 13
+    one = spectrum(ball, matrix=matrix).eigenvalues
+    result = spectrum(joined(*[ball] * copies), matrix=matrix, dense_limit=0, extremes=30)
+    assert np.allclose(result.smallest, np.sort(np.repeat(one, copies))[:30], rtol=0, atol=1e-9)
+
+
+def test_a_heap_of_tetrahedra_has_two_eigenvalues():
+    """A Lanczos method may come to an end before it has as many as are asked for."""
+    heap = laplacian_matrix(joined(*[primitives.tetrahedron()] * 21))
+    for _ in range(10):  # by rounding, one time out of three
+        *_, (largest, _) = largest_steps(heap, 30)
+        assert largest == pytest.approx(4)
+
+
+def test_copies_of_one_surface_are_counted_too():
+    result = spectrum(primitives.torus(8, 8), dense_limit=0, extremes=13)
+    assert np.allclose(result.smallest, torus_eigenvalues(8, 8)[::-1][:13], rtol=0, atol=1e-9)
+
+
+@pytest.mark.parametrize("matrix", MATRICES)
 def test_equal_fans_are_taken_one_by_one(matrix, monkeypatch):
     """Crowds of eigenvalues with eight copies each; in this process, to see how it is done."""
     monkeypatch.setattr(spectrum_module, "_SMALL", 10**9)

@@ -5,6 +5,7 @@ import pytest
 from PySide6.QtCore import Qt
 
 from app.ui.doctor_dialog import DoctorDialog
+from core.doctor import FINDINGS
 from core.io import save_mesh
 from core.mesh import TriangleMesh, primitives
 from core.study_files import read_study_file
@@ -78,6 +79,9 @@ def test_reads_in_words(doctor):
         "3 edges belong to more than two faces, at 3 vertices.",
         "1 boundary loop with 6 edges; 1 small hole to fill.",
     ]
+    found = {"Duplicate faces", "Non-manifold edges", "Open boundary"}
+    assert set(doctor.checks.titles) == {spec.title for spec in FINDINGS} - found
+    assert doctor.height() > 600
     assert "finite" in card(doctor, "duplicate_faces").meaning.text()
 
 
@@ -91,8 +95,13 @@ def test_a_sound_model_is_a_quiet_tick(user, ball_file):
     user.wait(lambda: user.denoise.model.sign.text() == "No defects")
     user.press(Qt.Key.Key_D, CONTROL)
     user.wait(lambda: dialogs(user))
-    assert dialogs(user)[0].verdict.text() == "Nothing is wrong with this mesh."
-    assert not dialogs(user)[0].repair_all.isEnabled()
+    doctor = dialogs(user)[0]
+    assert doctor.verdict.text() == "Nothing is wrong with this mesh."
+    assert not doctor.repair_all.isEnabled()
+    assert set(doctor.checks.titles) == {spec.title for spec in FINDINGS}
+    user.wait(doctor.checks.isVisible)
+    assert doctor.checks.visibleRegion().boundingRect() == doctor.checks.rect()
+    assert doctor.height() < 400  # no empty half
 
 
 def test_points_a_place_out_and_takes_the_dots_away(user, doctor):
@@ -173,3 +182,20 @@ def test_another_model_starts_without_repairs(user, doctor, ball_file):
     user.open(ball_file)
     assert user.window.session.study.repairs == ()
     user.wait(lambda: user.denoise.model.sign.text() == "No defects")
+
+
+def test_a_cancelled_examination_is_said_and_done_after_all(user, ball_file, monkeypatch):
+    def endless(mesh):
+        while True:
+            yield
+
+    with monkeypatch.context() as held:
+        held.setattr("app.session.doctor.examination_steps", endless)
+        user.open(ball_file)
+        sign = user.denoise.model.sign
+        assert sign.text() == "Examining …"
+        user.press(Qt.Key.Key_Escape)
+        user.wait(lambda: sign.text() == "Not examined …")
+    click(user, sign)
+    user.wait(lambda: sign.text() == "No defects")
+    assert dialogs(user)[0].checks.isVisible()
