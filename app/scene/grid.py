@@ -1,18 +1,20 @@
 """The grid of panes: one renderer a pane, linked cameras, one shared colour bar."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 import pyvista as pv
 from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 from app.scene.camera import CameraPose, preset_pose
-from app.scene.caption import Caption
+from app.scene.clipping import SteadyBox
 from app.scene.colour_bar import ColourBar
+from app.scene.due import Seen
 from app.scene.layout import Viewport, tile
-from app.scene.marks import Marks
+from app.scene.pane_slot import PaneSlot
 from app.scene.panes import Look, Pane
-from app.scene.surface import SurfaceActor, cell_array, lookup_table
+from app.scene.surface import cell_array, lookup_table
 from app.scene.swipe import Swipe, SwipeLayer
 from core.arrays import IntArray
 
@@ -40,23 +42,18 @@ class PaneGrid:
         self.swipe: Swipe | None = None
         self._renderers = list(plotter.renderers)[:CAPACITY]
         self._bar_renderer = list(plotter.renderers)[CAPACITY]
-        self._surfaces = [SurfaceActor() for _ in self._renderers]
-        self._captions = [Caption() for _ in self._renderers]
-        self._marks = [Marks() for _ in self._renderers]
-        self._borders = {renderer: renderer.add_border() for renderer in self._renderers}
+        self._slots = [PaneSlot(renderer) for renderer in self._renderers]
         self._swiped = SwipeLayer()
         self._bar = ColourBar()
         self._bar.add_to(self._bar_renderer)
+        self._scale: tuple[object, ...] = ()
+        self._bar_version = 0
+        self._box = SteadyBox()
         self._cells: tuple[IntArray, vtkCellArray] | None = None
         self._panes: list[Pane] = []
         self._look: Look | None = None
         self._linked = True
         self._narrowest = 1.0
-        for renderer, surface, caption in self._slots():
-            renderer.AddActor(surface.actor)
-            caption.add_to(renderer)
-        for renderer, marks in zip(self._renderers, self._marks, strict=True):
-            renderer.AddActor(marks.actor)
         self._share_camera(pv.Camera())
 
     def show(self, panes: Sequence[Pane], look: Look, size: tuple[int, int]) -> None:
@@ -64,17 +61,26 @@ class PaneGrid:
         self._panes, self._look = list(panes[:CAPACITY]), look
         self._arrange(look, size)
         table = lookup_table(look.colour_range, look.colour_map)
-        self._bar.show(look, table)
+        self._show_bar(look, table)
         cells = self._shared_cells(look.faces)
-        for (renderer, surface, caption), pane in zip(self._slots(), self._panes, strict=False):
+        for slot, pane in zip(self._slots, self._panes, strict=False):
             if pane.id in self.viewports:
-                surface.show(pane, look, cells, table)
                 width, height = self.viewports[pane.id].pixels(*size)[2:]
-                caption.show(pane, look, height, width=width / (1 + bool(self.swipe)))
-                self._frame(renderer, look, selected=pane.id == look.selected)
-        for marks, pane in zip(self._marks, self._panes, strict=False):
-            marks.show(pane, look)
+                mark = look.selected if look.selected == pane.id else None
+                room = width / (1 + bool(self.swipe)), height
+                slot.show(pane, replace(look, selected=mark, histogram=None), cells, table, room)
         self._show_swipe(look, cells, table, size)
+
+    def seen(self) -> list[Seen]:
+        """Return what the window shows, for whoever draws only what is new."""
+        views = [
+            Seen((slot.renderer,), slot.version)
+            for slot, pane in zip(self._slots, self._panes, strict=False)
+            if pane.id in self.viewports
+        ]
+        if self._bar_renderer.GetViewport() != _NOWHERE:
+            views.append(Seen((self._bar_renderer,), self._bar_version))
+        return views
 
     def set_ground(self, bottom: str, top: str | None) -> None:
         """Colour the background, with a gradient if `top` is given."""
@@ -158,20 +164,13 @@ class PaneGrid:
 
     def fit_clipping(self) -> None:
         """Set the clipping ranges from the union of all panes, which a shared camera needs."""
-        shown = self._surfaces[: len(self._panes)]
-        bounds = np.array([surface.actor.GetBounds() for surface in shown]).reshape(
-            -1, 2, 3, order="F"
-        )
-        if not len(bounds):
+        shown = self._slots[: len(self._panes)]
+        if not shown:
             return
-        low, high = bounds[:, 0].min(axis=0), bounds[:, 1].max(axis=0)
-        union = np.stack([low, high], axis=1).ravel()
+        box = self._box.around([slot.surface.actor.GetBounds() for slot in shown])
         for renderer in self._renderers:
-            renderer.ResetCameraClippingRange(union)
+            renderer.ResetCameraClippingRange(box)
         self._swiped.cut(self._narrowest)
-
-    def _slots(self) -> list[tuple[pv.Renderer, SurfaceActor, Caption]]:
-        return list(zip(self._renderers, self._surfaces, self._captions, strict=True))
 
     def _share_camera(self, camera: pv.Camera) -> None:
         for renderer in self._renderers:
@@ -213,6 +212,15 @@ class PaneGrid:
             renderer.SetDraw(place != _NOWHERE)
         self._bar_renderer.InteractiveOff()
 
+    def _show_bar(self, look: Look, table: pv.LookupTable) -> None:
+        histogram = None if look.histogram is None else tuple(look.histogram.tolist())
+        ends = look.colour_title, look.colour_range, look.colour_map
+        scale = (*ends, histogram, look.theme, look.text_scale)
+        if scale != self._scale:
+            self._scale = scale
+            self._bar_version += 1
+            self._bar.show(look, table)
+
     def _show_swipe(
         self, look: Look, cells: vtkCellArray, table: pv.LookupTable, size: tuple[int, int]
     ) -> None:
@@ -221,14 +229,8 @@ class PaneGrid:
             return
         left, right = (self.ids.index(id_) for id_ in (self.swipe.left, self.swipe.right))
         pixels = self.viewports[self.swipe.left].pixels(*size)[2:]
+        self._slots[left].version += 1
         self._swiped.show(
-            self._renderers[left], self._surfaces[left], self.swipe, self._panes[right], look,
-            cells, table, pixels,
+            self._renderers[left], self._slots[left].surface, self.swipe, self._panes[right],
+            look, cells, table, pixels,
         )  # fmt: skip
-
-    def _frame(self, renderer: pv.Renderer, look: Look, *, selected: bool) -> None:
-        colour = look.theme.accent if selected else look.theme.faint
-        self._borders[renderer].SetVisibility(look.framed)
-        line = self._borders[renderer].GetProperty()
-        line.SetColor(pv.Color(colour).float_rgb)
-        line.SetLineWidth((3 if selected else 1) * look.text_scale)

@@ -5,86 +5,22 @@ from dataclasses import replace
 
 import numpy as np
 import pyvista as pv
-from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from app.scene.camera import CameraPose
+from app.scene.clipping import SteadyBox
+from app.scene.due import Seen
 from app.scene.layout import Viewport
 from app.scene.parted_camera import PartedCamera, parted
 from app.scene.skeleton_camera import fitting_pose
-from app.scene.skeleton_caption import SkeletonCaption
-from app.scene.skeleton_graph import GraphActors, node_radius
-from app.scene.skeleton_legend import BandLegend
+from app.scene.skeleton_graph import node_radius
 from app.scene.skeleton_panes import SkeletonLook, SkeletonPane, grown_nodes
-from app.scene.skeleton_shells import ShellActor
-from app.scene.skeleton_surface import BandedSurface, CurveActor, PieceActor
+from app.scene.skeleton_slot import SkeletonSlot
 from core.arrays import FloatArray
 
 SHAPE = (1, 2)
 """Shape a plotter needs."""
 
-_PEELS = 8
 _CLICK_PIXELS = 9.0
-_NOWHERE = Viewport(0.0, 0.0, 0.0, 0.0)
-
-
-class _Slot:
-    """The actors of one pane: the graph in an overlay, so that no surface hides it."""
-
-    def __init__(self, renderer: pv.Renderer) -> None:
-        self.renderer = renderer
-        self._state: tuple[object, ...] = ()
-        self._viewport = _NOWHERE
-        self.overlay = vtkRenderer()
-        self.overlay.SetLayer(1)
-        self.overlay.InteractiveOff()
-        self.surface, self.curves, self.piece = BandedSurface(), CurveActor(), PieceActor()
-        self.shells, self.graph = ShellActor(), GraphActors()
-        self.caption, self.legend = SkeletonCaption(), BandLegend()
-        for part in (self.surface, self.curves, self.piece, self.shells):
-            renderer.AddActor(part.actor)
-        for actor in self.graph.actors:
-            self.overlay.AddActor(actor)
-        for words in (self.caption, self.legend):
-            words.add_to(self.overlay)
-        self._frame = renderer.add_border()
-        renderer.SetMaximumNumberOfPeels(_PEELS)
-        renderer.SetOcclusionRatio(0.0)
-
-    def show(
-        self, pane: SkeletonPane, look: SkeletonLook, size: tuple[float, float], *, legend: bool
-    ) -> bool:
-        """Draw a pane in a viewport of `size` pixels; tell whether anything is new."""
-        drawn = (pane.skeleton, pane.step, pane.picked, pane.title, pane.caption, pane.warning)
-        state = (*drawn, look, size, legend)
-        if state == self._state:
-            return False
-        self._state = state
-        for part in (self.surface, self.curves, self.piece, self.shells, self.graph):
-            part.show(pane, look)
-        self.caption.show(pane, look, size)
-        self.legend.show(pane if legend else None, look, self.surface.table)
-        self.legend.place(*size, look.text_scale)
-        colour = look.theme.accent if look.selected else look.theme.faint
-        self._frame.SetVisibility(look.selected is not None)
-        self._frame.GetProperty().SetColor(pv.Color(colour).float_rgb)
-        self._frame.GetProperty().SetLineWidth((6 if look.selected else 2) * look.text_scale)
-        return True
-
-    def place(self, viewport: Viewport) -> None:
-        self._viewport = viewport
-        for each in (self.renderer, self.overlay):
-            each.SetViewport(viewport)
-        self.set_drawn(True)
-
-    def set_drawn(self, drawn: bool) -> None:
-        for each in (self.renderer, self.overlay):
-            each.SetDraw(drawn and self._viewport != _NOWHERE)
-
-    def use(self, camera: pv.Camera) -> None:
-        self.renderer.SetActiveCamera(camera)
-        # Else PyVista chooses a view of its own at the first picture.
-        self.renderer.camera.is_set = True
-        self.overlay.SetActiveCamera(camera)
 
 
 class SkeletonGrid:
@@ -101,7 +37,7 @@ class SkeletonGrid:
         self.viewports: list[Viewport] = []
         self._panes: list[SkeletonPane] = []
         self._look: SkeletonLook | None = None
-        self._slots = [_Slot(renderer) for renderer in plotter.renderers]
+        self._slots = [SkeletonSlot(renderer) for renderer in plotter.renderers]
         window = plotter.render_window
         # Multisampling hides translucent surfaces under depth peeling.
         window.SetMultiSamples(0)
@@ -109,31 +45,35 @@ class SkeletonGrid:
         window.SetNumberOfLayers(2)
         self.set_precise(True)
         self._camera = PartedCamera()
+        self._box = SteadyBox()
         for slot in self._slots:
             window.AddRenderer(slot.overlay)
         self._share_camera()
 
     def show(
         self, panes: Sequence[SkeletonPane], look: SkeletonLook, size: tuple[int, int]
-    ) -> list[bool]:
+    ) -> None:
         """Draw one or two panes side by side in a window of `size` pixels."""
         self._panes, self._look = list(panes), look
         if len(panes) < len(self._slots):
             self.part(None)
         self.viewports = self._places(len(panes))
-        spare = [_NOWHERE] * (len(self._slots) - len(panes))
+        spare = [None] * (len(self._slots) - len(panes))
         for slot, viewport in zip(self._slots, [*self.viewports, *spare], strict=True):
             slot.place(viewport)
-        new = []
         for index, pane in enumerate(self._panes):
             marked = index == look.selected and len(panes) > 1
             mark = look if look.selected is None else replace(look, selected=int(marked))
             part = self.viewports[index].pixels(*size)[2:]
             # Two parts of one picture have one legend, away from the line between them.
             legend = look.legend and (self.share is None or index == 1)
-            new.append(self._slots[index].show(pane, mark, part, legend=legend))
+            self._slots[index].show(pane, mark, part, legend=legend)
         self.set_precise(self.precise, coarse=self._coarse)
-        return new
+
+    def seen(self) -> list[Seen]:
+        """Return what the window shows, for whoever draws only what is new."""
+        slots = self._slots[: len(self._panes)]
+        return [Seen((slot.renderer, slot.overlay), slot.version) for slot in slots]
 
     def part(self, share: float | None) -> None:
         """Show both panes as one, parted by a line at a share of the width; None as two."""
@@ -153,11 +93,6 @@ class SkeletonGrid:
     def renderer(self, pane: int) -> pv.Renderer:
         """Return the renderer of a pane's surface."""
         return self._slots[pane].renderer
-
-    def draw_only(self, panes: Sequence[bool] | None) -> None:
-        """Leave the pixels of other panes as they are in the next drawing; None draws all."""
-        for slot, drawn in zip(self._slots, panes or [True] * len(self._slots), strict=False):
-            slot.set_drawn(drawn)
 
     def set_precise(self, precise: bool, *, coarse: bool = True) -> None:
         """Choose between exact drawing and a fast one while something moves.
@@ -204,12 +139,12 @@ class SkeletonGrid:
             slot.renderer.ComputeVisiblePropBounds()
             for slot, _ in zip(self._slots, self._panes, strict=False)
         ]
-        valid = np.array([b for b in bounds if b[0] <= b[1]]).reshape(-1, 3, 2)
-        if not len(valid):
+        valid = [b for b in bounds if b[0] <= b[1]]
+        if not valid:
             return
-        union = np.stack([valid[..., 0].min(axis=0), valid[..., 1].max(axis=0)], axis=1).ravel()
+        box = self._box.around(valid)
         for slot in self._slots:
-            slot.renderer.ResetCameraClippingRange(union)
+            slot.renderer.ResetCameraClippingRange(box)
 
     def pane_at(self, x: float, y: float) -> int | None:
         """Return the pane at a point, in shares of the window from the lower left corner."""

@@ -1,5 +1,7 @@
 """The Denoise tab: panes in the middle, panels around them."""
 
+import time
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -20,6 +22,7 @@ from app.ui.error_plot import ErrorPlot
 from app.ui.methods_panel import MethodsPanel
 from app.ui.model_panel import ModelPanel
 from app.ui.results_table import ResultsTable
+from app.ui.turns import Turns, Work
 from app.ui.viewport import Viewport
 from core.mesh import TriangleMesh
 from core.smoothing import METHODS
@@ -58,7 +61,9 @@ class DenoiseTab(QMainWindow):
         self._laid_out = False
         self._busy = False
         self._redraw_timer = QTimer(self, singleShot=True, interval=_REDRAW_MS)
-        self._redraw_timer.timeout.connect(self._redraw)
+        self._turns = Turns(self)
+        self._redrawing = Work(self._turns, self._redraw_in_turn)
+        self._redraw_timer.timeout.connect(self._redrawing.request)
         self._make_panels()
         self.desk = DenoiseDesk(self, self.viewport)
         self._connect()
@@ -79,7 +84,7 @@ class DenoiseTab(QMainWindow):
             mesh = meshes.comparison.original
             self._marks = mesh, vertices
             self.viewport.set_pose(close_up(mesh, vertices, self.viewport.pose))
-        self._soon()
+        self._redrawing.request()
 
     def _marked(self) -> np.ndarray | None:
         """Vertices that are pointed out, as long as the mesh is the one that they belong to."""
@@ -99,7 +104,8 @@ class DenoiseTab(QMainWindow):
     @property
     def is_drawn(self) -> bool:
         """Whether the viewport shows the current state."""
-        return not self._redraw_timer.isActive()
+        waits = self._redraw_timer.isActive() or self._redrawing.is_active
+        return not (waits or self.viewport.is_drawing)
 
     def select(self, pane: str | None) -> None:
         """Mark a pane, and its method in panel, plot and table."""
@@ -109,14 +115,14 @@ class DenoiseTab(QMainWindow):
         method = pane if pane in METHODS else None
         for view in (self.methods, self.plot, self.table):
             view.set_selected(method)
-        self._soon()
+        self._redrawing.request()
         self.selection_changed.emit(pane or "")
 
     def set_theme(self, theme: Theme) -> None:
         """Draw panes and plot in a theme's colours."""
         self._theme = theme
         self.plot.set_theme(theme)
-        self._soon()
+        self._redrawing.request()
 
     def save_layout(self) -> None:
         """Remember where the panels are."""
@@ -137,17 +143,18 @@ class DenoiseTab(QMainWindow):
     def close_graphics(self) -> None:
         """Release the graphics before the window goes."""
         self._redraw_timer.stop()
+        self._turns.stop()
         self.desk.gestures.stop()
         self.viewport.close_interactor()
 
     def _make_panels(self) -> None:
-        self.viewport = Viewport()
+        self.viewport = Viewport(self._turns)
         self.setCentralWidget(self.viewport)
         self.model = ModelPanel(self.session)
         self.model.setMinimumWidth(LEFT_WIDTH)
         self.methods = MethodsPanel(self.session)
-        self.plot = ErrorPlot(self.session)
-        self.table = ResultsTable(self.session)
+        self.plot = ErrorPlot(self.session, self._turns)
+        self.table = ResultsTable(self.session, self._turns)
         self.setDockNestingEnabled(True)
         self._areas: dict[QDockWidget, Qt.DockWidgetArea] = {}
         left, right = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
@@ -171,7 +178,7 @@ class DenoiseTab(QMainWindow):
 
     def _connect(self) -> None:
         self.session.study_changed.connect(self._on_study_changed)
-        self.session.meshes_changed.connect(self._on_meshes_changed)
+        self.session.meshes_changed.connect(self._redrawing.request)
         self.session.run_changed.connect(self._on_run_changed)
         self.session.activity_changed.connect(self._on_activity_changed)
         for view in (self.viewport, self.methods, self.plot, self.table):
@@ -181,25 +188,26 @@ class DenoiseTab(QMainWindow):
     def _on_run_changed(self, _: str) -> None:
         """Redraw soon, but leave the worker most of the time: drawing keeps it waiting."""
         if not self._redraw_timer.isActive():
-            pause = _PAUSE * self.viewport.draw_seconds if self.session.activity else 0
-            self._redraw_timer.start(max(_REDRAW_MS, round(1000 * pause)))
+            view = self.viewport
+            until = view.drawn_at + _PAUSE * view.draw_seconds if self.session.activity else 0.0
+            pause = round(1000 * (until - time.perf_counter()))
+            self._redraw_timer.start(max(_REDRAW_MS, pause))
 
     def _on_activity_changed(self) -> None:
         was_busy, self._busy = self._busy, self.session.activity is not None
         if was_busy and not self._busy:
-            self._soon()
-
-    def _soon(self) -> None:
-        self._redraw_timer.start(_REDRAW_MS)
-
-    def _on_meshes_changed(self) -> None:
-        self._soon()
+            self._redrawing.request()
 
     def _on_study_changed(self, study: Study, before: Study) -> None:
         if study.compares_like(before):
             return
         self._fresh_model |= study.model != before.model
-        self._soon()
+        self._redrawing.request()
+
+    def _redraw_in_turn(self) -> Iterator[None]:
+        while self.viewport.is_drawing:  # else a slider that is dragged would keep it from ending
+            yield
+        self._redraw()
 
     def _redraw(self) -> None:
         panes, look = self.panes()

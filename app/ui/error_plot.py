@@ -1,6 +1,6 @@
 """The plot of the error against the iteration."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
 
@@ -17,6 +17,7 @@ from app.session import Session
 from app.ui.controls import Coalesced
 from app.ui.help import HelpButton
 from app.ui.plot_canvas import PlotCanvas
+from app.ui.turns import Turns, Work
 from core.metrics import METRICS
 from core.study import Study
 
@@ -30,11 +31,13 @@ class ErrorPlot(QWidget):
     ----------
     session : Session
         The state; the plot listens and pushes studies.
+    turns : Turns or None
+        In which it draws; None for turns of its own.
     """
 
     selected = Signal(str)
 
-    def __init__(self, session: Session) -> None:
+    def __init__(self, session: Session, turns: Turns | None = None) -> None:
         super().__init__()
         self._session = session
         self._theme = LIGHT
@@ -46,7 +49,8 @@ class ErrorPlot(QWidget):
         self.log_box = QCheckBox("Log scale", checked=True)
         self.units_box = QCheckBox("Model units")
         self._lay_out()
-        self._redraw_soon = Coalesced(self._redraw, _REDRAW_MS, self)
+        self._redrawing = Work(turns or Turns(self), self._redraw)
+        self._redraw_soon = Coalesced(self._redrawing.request, _REDRAW_MS, self)
         self._connect()
         self._refresh()
 
@@ -159,6 +163,6 @@ class ErrorPlot(QWidget):
         runs = [(choice.iterations, self._session.run(choice.method)) for choice in wanted]
         return max((count for count, run in runs if not (run and run.diverged)), default=1)
 
-    def _redraw(self) -> None:
+    def _redraw(self) -> Iterator[None]:
         if self.isVisible() and self._session.meshes:
-            self.canvas.show_chart(self._chart(self._theme))
+            yield from self.canvas.show_chart(self._chart(self._theme))

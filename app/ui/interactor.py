@@ -1,5 +1,6 @@
 """PyVista's Qt interactor as Burnish wants it: no keys of its own, no drops, no idle drawing."""
 
+from PySide6.QtCore import Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QWidget
 from pyvistaqt import QtInteractor
@@ -18,7 +19,13 @@ class Interactor(QtInteractor):
         Where it stands.
     shape : (int, int)
         Rows and columns of its renderers.
+
+    Signals
+    -------
+    pixels_lost() : nothing of what has been drawn is left.
     """
+
+    pixels_lost = Signal()
 
     def __init__(self, parent: QWidget, shape: tuple[int, int]) -> None:
         # Multisampling makes software OpenGL six times slower and hides translucent meshes under
@@ -27,6 +34,10 @@ class Interactor(QtInteractor):
         take_own_surface(self)
         self.setAcceptDrops(False)
         self.iren.clear_key_event_callbacks()
+
+    def initializeGL(self) -> None:
+        super().initializeGL()
+        self.pixels_lost.emit()
 
     def resizeGL(self, width: int, height: int) -> None:
         super().resizeGL(width, height)

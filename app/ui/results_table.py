@@ -1,6 +1,6 @@
 """The table of results."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 
@@ -28,6 +28,7 @@ from app.export.tables import (
 from app.session import Session
 from app.ui.controls import Coalesced
 from app.ui.results_model import NOTE, TITLE, ResultsModel
+from app.ui.turns import Turns, Work
 from core.study import Study
 
 _REFRESH_MS = 80
@@ -119,11 +120,13 @@ class ResultsTable(QWidget):
     ----------
     session : Session
         The state; the table only listens.
+    turns : Turns or None
+        In which it is filled; None for turns of its own.
     """
 
     selected = Signal(str)
 
-    def __init__(self, session: Session) -> None:
+    def __init__(self, session: Session, turns: Turns | None = None) -> None:
         super().__init__()
         self._session = session
         self._selected: str | None = None
@@ -134,11 +137,12 @@ class ResultsTable(QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.view)
         self.view.selectionModel().currentRowChanged.connect(self._on_row)
-        self._refresh_soon = Coalesced(self._refresh, _REFRESH_MS, self)
+        self._refreshing = Work(turns or Turns(self), self._refresh)
+        self._refresh_soon = Coalesced(self._refreshing.request, _REFRESH_MS, self)
         for signal in (session.meshes_changed, session.run_changed):
             signal.connect(self._refresh_soon.request)
         session.study_changed.connect(self._on_study_changed)
-        self._refresh()
+        self._refreshing.request()
 
     def set_selected(self, method: str | None) -> None:
         """Mark a method's row."""
@@ -170,7 +174,7 @@ class ResultsTable(QWidget):
         if not study.compares_like(before):
             self._refresh_soon.request()
 
-    def _refresh(self) -> None:
+    def _refresh(self) -> Iterator[None]:
         meshes = self._session.meshes
         outcomes = session_outcomes(self._session)
         metric = self._session.study.metric
@@ -178,6 +182,7 @@ class ResultsTable(QWidget):
         metrics = self._session.study.metrics
         self.model.show(result_rows(noisy, outcomes, metric, metrics) if noisy else ())
         self._mark_selected()
+        yield
         self.view.fit_columns()
 
     def _mark_selected(self) -> None:

@@ -1,13 +1,13 @@
 """The drawing area of the Skeleton tab: a click picks a node and selects its view."""
 
 import time
-from operator import or_
 
 from PySide6.QtCore import QEvent, QPoint, QPointF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from app.scene.camera import CameraPose
+from app.scene.due import Due
 from app.scene.skeleton_grid import SHAPE, SkeletonGrid
 from app.scene.skeleton_panes import SkeletonLook, SkeletonPane
 from app.ui.interactor import Interactor
@@ -42,12 +42,13 @@ class SkeletonViewport(QWidget):
         self._panes: list[SkeletonPane] = []
         self._look: SkeletonLook | None = None
         self._pressed: QPoint | None = None
-        self._changed: list[bool] | None = None
         self._started = 0.0
         self._resting = False
         self._rest = QTimer(self, singleShot=True, interval=_REST_MS)
         self._rest.timeout.connect(self._draw_precisely)
         window = self.interactor.render_window
+        self._due = Due(window, self.grid.seen)
+        self.interactor.pixels_lost.connect(self._due.forget)
         window.AddObserver("StartEvent", self._before_drawing)
         window.AddObserver("EndEvent", self._after_drawing)
 
@@ -59,8 +60,7 @@ class SkeletonViewport(QWidget):
         self._panes, self._look = panes, look
         self._hurry()
         self.grid.set_ground(look.theme.ground, look.theme.ground_top)
-        new = self.grid.show(panes, look, self.pixel_size())
-        self._changed = new if self._changed is None else list(map(or_, new, self._changed))
+        self.grid.show(panes, look, self.pixel_size())
         self.interactor.update()
 
     def pixel_size(self) -> tuple[int, int]:
@@ -100,7 +100,7 @@ class SkeletonViewport(QWidget):
 
     def camera_moved(self) -> None:
         """Draw what is seen after a camera was moved."""
-        self._move()
+        self._hurry()
         self.interactor.update()
 
     def part(self, share: float | None) -> None:
@@ -121,9 +121,9 @@ class SkeletonViewport(QWidget):
             elif event.type() == QEvent.Type.MouseButtonRelease:
                 self._release(event.position().toPoint())
             elif self._pressed is not None:
-                self._move()
+                self._hurry()
         elif event.type() == QEvent.Type.Wheel:
-            self._move()
+            self._hurry()
         return False
 
     def _release(self, point: QPoint) -> None:
@@ -137,22 +137,16 @@ class SkeletonViewport(QWidget):
 
     def _before_drawing(self, *_: object) -> None:
         """Draw only what is new: while one view's R is dragged, the other keeps its pixels."""
-        self.grid.draw_only(self._changed if self._changed and any(self._changed) else None)
         self.grid.fit_clipping()
+        self._due.begin()
         self._started = time.perf_counter()
 
     def _after_drawing(self, *_: object) -> None:
-        self._changed = None
-        self.grid.draw_only(None)
+        self._due.end()
         seconds = time.perf_counter() - self._started
         if self._resting and _PEELING_FACTOR * seconds < _FELT_SECONDS:
             self._draw_at_rest(precise=True)
         self._resting = False
-
-    def _move(self) -> None:
-        """Draw everything, since the camera moves."""
-        self._changed = None
-        self._hurry()
 
     def _hurry(self) -> None:
         """Draw fast while something moves, and precisely once it rests."""
@@ -169,7 +163,7 @@ class SkeletonViewport(QWidget):
         self._resting = True
 
     def _draw_at_rest(self, *, precise: bool) -> None:
-        self._changed = None
+        self._due.forget()
         self.grid.set_precise(precise, coarse=False)
         self.interactor.update()
 

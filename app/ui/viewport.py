@@ -1,22 +1,35 @@
 """The viewport: the grid of panes on the screen, with mouse and camera."""
 
 import time
+from collections.abc import Iterator
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, QSize, QTimer, Signal
-from PySide6.QtGui import QMouseEvent, QResizeEvent
+from PySide6.QtCore import QEvent, QPoint, QPointF, QSize, Signal
+from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from app.scene.camera import CameraPose
+from app.scene.due import Due
 from app.scene.grid import GRID_SHAPE, PaneGrid
 from app.scene.panes import Look, Pane
 from app.ui.interactor import Interactor
 from app.ui.stage import View, share_of
+from app.ui.turns import Turns, Work
 
 _CLICK_PIXELS = 4
 
 
 class Viewport(QWidget):
     """Shows panes; a click selects one, a double click enlarges it and brings it back.
+
+    Parameters
+    ----------
+    turns : Turns
+        In which it draws: one pane a turn.
+
+    Attributes
+    ----------
+    draw_seconds, drawn_at : float
+        How long the latest drawing of what had changed took, and when it ended.
 
     Signals
     -------
@@ -27,8 +40,8 @@ class Viewport(QWidget):
     selected = Signal(str)
     bar_opened = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, turns: Turns) -> None:
+        super().__init__()
         self.interactor = Interactor(self, GRID_SHAPE)
         self.interactor.installEventFilter(self)
         layout = QVBoxLayout(self)
@@ -37,10 +50,13 @@ class Viewport(QWidget):
         self.grid = PaneGrid(self.interactor)
         self._panes: list[Pane] = []
         self._look: Look | None = None
+        self._size = (0, 0)
         self._pressed: QPoint | None = None
-        self.draw_seconds = 0.0
-        self._draw_started = 0.0
         window = self.interactor.render_window
+        self._due = Due(window, self.grid.seen)
+        self._drawing = Work(turns, self._draw)
+        self.draw_seconds = self.drawn_at = 0.0
+        self.interactor.pixels_lost.connect(self._due.forget)
         window.AddObserver("StartEvent", self._before_drawing)
         window.AddObserver("EndEvent", self._after_drawing)
 
@@ -50,9 +66,15 @@ class Viewport(QWidget):
     def show_panes(self, panes: list[Pane], look: Look) -> None:
         """Draw panes; the cameras stay where they are."""
         self._panes, self._look = panes, look
+        self._size = self.pixel_size()
         self.grid.set_ground(look.theme.ground, look.theme.ground_top)
-        self.grid.show(panes, look, self.pixel_size())
-        self.interactor.update()
+        self.grid.show(panes, look, self._size)
+        self._drawing.request()
+
+    @property
+    def is_drawing(self) -> bool:
+        """Whether some of the panes still have to be drawn."""
+        return self._drawing.is_active
 
     def redraw(self) -> None:
         """Draw what is shown once more, after the grid was told to arrange it otherwise."""
@@ -66,7 +88,7 @@ class Viewport(QWidget):
     def look_from(self, preset: str) -> None:
         """Show the whole model from a preset direction."""
         self.grid.look_from(preset)
-        self.interactor.update()
+        self._drawing.request()
 
     @property
     def pose(self) -> CameraPose:
@@ -78,13 +100,13 @@ class Viewport(QWidget):
     def set_pose(self, pose: CameraPose) -> None:
         """Put the cameras of all panes into a pose."""
         self.grid.set_poses([pose])
-        self.interactor.update()
+        self._drawing.request()
 
     def set_linked(self, linked: bool, leader: str | None) -> None:
         """Link or unlink the cameras; nothing jumps on unlinking."""
         if linked != self.grid.linked:
             self.grid.link(linked, leader)
-            self.interactor.update()
+            self._drawing.request()
 
     def toggle_enlarged(self, pane: str | None) -> None:
         """Enlarge one pane to the whole viewport, or bring the others back."""
@@ -108,11 +130,6 @@ class Viewport(QWidget):
         """Release the graphics; the widget cannot be used any more."""
         self.interactor.removeEventFilter(self)
         self.interactor.close()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        # The interactor gets its size after this event; draw with the new one.
-        QTimer.singleShot(0, self, self.redraw)
 
     def eventFilter(self, watched: QWidget, event: QEvent) -> bool:
         if not isinstance(event, QMouseEvent):
@@ -147,12 +164,34 @@ class Viewport(QWidget):
             self.toggle_enlarged(pane)
         return True
 
+    def _draw(self) -> Iterator[None]:
+        """Draw what is due a pane a turn, then show all of it at once.
+
+        Until then the picture stays as it is, so that panes never contradict each other. Whatever
+        else paints meanwhile, a camera that moves or another size, draws what is left at once.
+        """
+        area, begun, seconds = self.interactor, time.perf_counter(), 0.0
+        while area.isVisible() and area.isValid() and self._due.draw_one():
+            # Its pixels are filled while the window does other things.
+            area.context().functions().glFlush()
+            seconds += time.perf_counter() - begun
+            yield
+            begun = time.perf_counter()
+            if self._due.is_complete:
+                area.repaint()
+                self.draw_seconds = seconds + time.perf_counter() - begun
+                break
+        self.drawn_at = time.perf_counter()
+
     def _before_drawing(self, *_: object) -> None:
+        if self._look is not None and self._size != self.pixel_size():
+            self._size = self.pixel_size()
+            self.grid.show(self._panes, self._look, self._size)
         self.grid.fit_clipping()
-        self._draw_started = time.perf_counter()
+        self._due.begin()
 
     def _after_drawing(self, *_: object) -> None:
-        self.draw_seconds = time.perf_counter() - self._draw_started
+        self._due.end()
 
     def _pane_at(self, point: QPoint) -> str | None:
         return self.grid.pane_at(*self.share(QPointF(point)))

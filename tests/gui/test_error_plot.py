@@ -15,7 +15,9 @@ LEFT = Qt.MouseButton.LeftButton
 @pytest.fixture
 def plot(qtbot, session, shown):
     plot = shown(ErrorPlot(session), 640, 190)
-    qtbot.waitUntil(lambda: len(legend(plot)) == 6, timeout=10_000)
+    qtbot.waitUntil(
+        lambda: len(legend(plot)) == 6 and plot.canvas._background is not None, timeout=10_000
+    )
     return plot
 
 
@@ -105,3 +107,14 @@ def test_plot_is_redrawn_when_it_is_shown_again(qtbot, plot, change):
 def test_saved_plot_shows_what_the_window_shows(plot, tmp_path):
     plot.writer()(tmp_path / "errors.svg")
     assert "Angle median filter" in (tmp_path / "errors.svg").read_text(encoding="utf-8")
+
+
+def test_a_frame_drawn_in_steps_is_the_one_that_is_drawn_at_once(qtbot, plot, change):
+    before = plot.canvas._background
+    change("median", enabled=False)
+    qtbot.waitUntil(lambda: len(legend(plot)) == 5)
+    qtbot.waitUntil(lambda: plot.canvas._background not in {before, None})
+    qtbot.waitUntil(lambda: not plot._redrawing.is_active)
+    stepwise = plot.canvas.grab().toImage()
+    plot.canvas.draw()
+    assert plot.canvas.grab().toImage() == stepwise

@@ -67,7 +67,7 @@ def test_a_caption_can_be_read_over_every_colour_of_a_heat_map(plotter, theme, v
     grid.show([pane], Look(BALL.faces, theme, colour_title="Distance", bar=False), SIZE)
     grid.look_from("Front (+Z)")
     grid.renderer("p").GetActiveCamera().Zoom(5)  # now the mesh lies below all of the text
-    ink = grid._captions[0]._caption.prop.color.hex_rgb
+    ink = grid._slots[0].caption._caption.prop.color.hex_rgb
     assert contrast(picture_of(grid, theme), SECOND_LINE, ink) >= LEAST_RATIO
 
 

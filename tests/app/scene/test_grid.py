@@ -95,4 +95,4 @@ def test_the_noisy_caption_keeps_its_size_beside_the_colour_bar(grid):
     caption = "σ = 0.02 ℓ̄   D = 0.000609"
     shown = [Pane(f"p{i}", "Noisy input", caption, "#009e73", POINTS) for i in range(8)]
     grid.show(shown, Look(BALL.faces, colour_title="Distance"), (720, 440))
-    assert {line._caption.prop.font_size for line in grid._captions[:8]} == {12}
+    assert {slot.caption._caption.prop.font_size for slot in grid._slots[:8]} == {12}

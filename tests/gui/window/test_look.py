@@ -97,7 +97,8 @@ def test_the_window_follows_the_system_while_it_is_open(user, ball_file, system)
         user.rest()
         ground = window.denoise.viewport.grid.renderer("original").GetBackground2()
         seen.append((window.palette().window().color().lightness(), max(ground)))
-        assert window.denoise.plot.figure.get_facecolor() == to_rgba(current_theme().panel)
+        plot, panel = window.denoise.plot.figure, to_rgba(current_theme().panel)
+        user.wait(lambda plot=plot, panel=panel: plot.get_facecolor() == panel)
         assert window.statistics.theme is current_theme()
     assert seen[0][0] < 128 < seen[1][0]
     assert seen[0][1] < 0.5 < seen[1][1]

@@ -42,6 +42,7 @@ def test_an_error_while_painting_is_told_once_and_the_plot_says_so(
 ):
     user.open(ball_file)
     study, canvas = user.window.session.study, user.denoise.plot.canvas
+    user.wait(lambda: canvas._background is not None)
     before = pixels(canvas)
     with monkeypatch.context() as patch, caplog.at_level(logging.ERROR):
         patch.setattr(XAxis, "draw", fail)
