@@ -11,7 +11,6 @@ from PIL import ImageFont
 from app.scene.colours import Theme
 from app.scene.panes import Look, Pane
 
-_WARNING = {True: "#ff8a7a", False: "#b3261e"}
 _TITLE_SIZE = 13
 _CAPTION_SIZE = 12
 _MARGIN = 8
@@ -73,7 +72,7 @@ class Caption:
         self._title.input = pane.title
         self._title.prop.SetColor(pv.Color(pane.colour).float_rgb)
         self._caption.input = caption
-        colour = _WARNING[look.theme.dark] if pane.warning else look.theme.ink
+        colour = look.theme.warning if pane.warning else look.theme.ink
         self._caption.prop.SetColor(pv.Color(colour).float_rgb)
         for line in (self._title, self._caption):
             put_on_plate(line, look.theme)

@@ -11,6 +11,8 @@ ORIGINAL_COLOUR = "#7f8c99"
 NOISY_COLOUR = "#7f7f7f"
 MARK_COLOUR = "#e0341f"
 """Places that are pointed out."""
+WARNING_COLOUR = "#d9480f"
+"""What went wrong, on the grounds of both themes in the panels."""
 
 
 def method_colour(method: str) -> str:
@@ -34,6 +36,8 @@ class Theme:
         Colour of a mesh that no values colour.
     accent : str
         Frame of the selected pane.
+    warning : str
+        Text that warns, on the background of the panes.
     """
 
     dark: bool
@@ -44,7 +48,12 @@ class Theme:
     faint: str
     surface: str
     accent: str
+    warning: str
 
 
-LIGHT = Theme(False, "#e9edf2", "#fbfcfd", "#ffffff", "#20262d", "#d5dbe2", "#b9c7d6", "#0b6bcb")
-DARK = Theme(True, "#1b1f24", "#2b3138", "#22272d", "#e4e8ec", "#3d454e", "#a9bacb", "#5aa9f5")
+LIGHT = Theme(
+    False, "#e9edf2", "#fbfcfd", "#ffffff", "#20262d", "#d5dbe2", "#b9c7d6", "#0b6bcb", "#b3261e"
+)
+DARK = Theme(
+    True, "#1b1f24", "#2b3138", "#22272d", "#e4e8ec", "#3d454e", "#a9bacb", "#5aa9f5", "#ff8a7a"
+)

@@ -5,7 +5,6 @@ import pyvista as pv
 from app.scene.caption import fitting, put_on_plate, text_line
 from app.scene.skeleton_panes import SkeletonLook, SkeletonPane
 
-_WARNING = {True: "#ff8a7a", False: "#b3261e"}
 _SIZES = (13, 12, 12)
 _GAP = 7
 _MARGIN = 8
@@ -31,7 +30,7 @@ class SkeletonCaption:
         room = size[0] - 2 * _MARGIN * look.text_scale
         texts = (pane.title, pane.caption, pane.note)
         ink = look.theme.ink
-        colours = (ink, _WARNING[look.theme.dark] if pane.warning else ink, ink)
+        colours = (ink, look.theme.warning if pane.warning else ink, ink)
         for line, height, text, colour in zip(self._lines, _SIZES, texts, colours, strict=True):
             line.input = text
             line.SetPosition(_MARGIN * look.text_scale, top)

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.export.tables import WORSE, significant
-from app.scene.colours import method_colour
+from app.scene.colours import WARNING_COLOUR, method_colour
 from app.session import Run, Session
 from app.ui.controls import FaintLabel, IconButton, JumpSlider, WheelGuard
 from app.ui.help import HelpButton
@@ -25,7 +25,6 @@ from core.smoothing import METHODS, MethodSpec
 from core.study import MOST_ITERATIONS, MethodChoice
 
 _SLIDER_REACH = 30
-_WARNING = QColor("#d9480f")
 _BY_HAND = {
     Qt.FocusReason.MouseFocusReason,
     Qt.FocusReason.TabFocusReason,
@@ -182,7 +181,7 @@ class MethodBlock(QWidget):
         self.iterations = IterationControl(spec.title)
         self.state = FaintLabel()
         palette = self.state.palette()
-        palette.setColor(QPalette.ColorRole.WindowText, _WARNING)
+        palette.setColor(QPalette.ColorRole.WindowText, QColor(WARNING_COLOUR))
         self.state.setPalette(palette)
         self.form = ParameterForm(spec.params)
         self.details = QWidget()

@@ -9,7 +9,7 @@ from PySide6.QtGui import QColor, QFont, QIcon, QPainter, QPixmap
 from PySide6.QtWidgets import QWidget
 
 from app.export.tables import ResultRow, best_rows, cells, headers
-from app.scene.colours import NOISY_COLOUR, method_colour
+from app.scene.colours import NOISY_COLOUR, WARNING_COLOUR, method_colour
 from app.ui.icons import font_icon
 from core.metrics import METRICS
 from core.smoothing import METHODS
@@ -17,7 +17,6 @@ from core.smoothing import METHODS
 TITLE, NOTE = 0, len(headers()) - 1
 
 _FIRST_METRIC = 2
-_WARNING_COLOUR = "#d9480f"
 _DISPLAY = Qt.ItemDataRole.DisplayRole
 _NOWHERE = QModelIndex()
 _HEADER_WIDTH = 9
@@ -34,7 +33,7 @@ class ResultsModel(QAbstractTableModel):
         self._titles = headers()
         self._texts: list[tuple[str, ...]] = []
         self._best: dict[int, frozenset[int]] = {}
-        self._warning = font_icon("mdi6.alert-outline", color=_WARNING_COLOUR)
+        self._warning = font_icon("mdi6.alert-outline", color=WARNING_COLOUR)
         self._dots = {method: _dot(method_colour(method)) for method in METHODS}
         self._noisy_dot = _dot(NOISY_COLOUR)
 
