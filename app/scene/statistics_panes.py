@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from app.scene.caption import PART_GAP
 from app.scene.colours import Theme
 from app.scene.panes import Look, Pane, Points
 from app.scene.statistics_scene import ModelPane
@@ -47,7 +48,8 @@ class PaneMaker:
         known = self._points.get(place)
         if known is None or known[0] is not model.mesh:
             known = self._points[place] = (model.mesh, *unit_points(model.mesh))
-        caption = f"{len(model.mesh.vertices):,} vertices, {len(model.mesh.faces):,} faces"
+        mesh = model.mesh
+        caption = f"{len(mesh.vertices):,} vertices{PART_GAP}{len(mesh.faces):,} faces"
         values = None if model.values is None else np.nan_to_num(model.values, posinf=np.nan)
         pane = Pane(str(place), model.name, caption, model.colour, known[1], values)
         return ModelPane(pane, model.mesh.faces, known[2])

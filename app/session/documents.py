@@ -36,6 +36,12 @@ class Document:
             return _work(study) != _work(self.saved or Study())
         return study != self.saved
 
+    def holds(self, study: Study) -> bool:
+        """Whether nothing of a study would be lost without it: all is saved, or just opened."""
+        if self.path is None:
+            return study == (self.saved or Study()).model_copy(update={"model": study.model})
+        return study == self.saved
+
 
 class Documents:
     """The document of a session; undo and redo across an opening bring its document back.

@@ -57,7 +57,7 @@ class Leftover:
 
 
 class Autosave(QObject):
-    """Writes the study two seconds after a change, whole or not at all.
+    """Writes the study two seconds after a change, whole or not at all, where it could be lost.
 
     Parameters
     ----------
@@ -79,13 +79,16 @@ class Autosave(QObject):
         documents.changed.connect(self._timer.request)
 
     def write(self) -> None:
-        """Write now, if a model is open."""
+        """Write now, if a model is open; what is saved or untouched needs no restoring."""
         self._timer.stop()
         meshes = self._session.meshes
         if meshes is None or self._lock is None:
             return
         document = self._documents.current
         try:
+            if document.holds(self._session.study):
+                (self.folder / _CONTENT).unlink(missing_ok=True)
+                return
             text = study_text(self._session.study, self.folder, self._session.fingerprints)
             kept = {
                 "title": document.path.name if document.path else meshes.name,

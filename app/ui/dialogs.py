@@ -2,14 +2,30 @@
 
 import re
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 
 from PySide6.QtCore import QSettings, Qt
-from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
+from PySide6.QtGui import QPalette
+from PySide6.QtWidgets import (
+    QDialogButtonBox,
+    QFileDialog,
+    QLineEdit,
+    QMessageBox,
+    QToolButton,
+    QWidget,
+)
 
+from app.ui.icons import font_icon
 from core.io import SUPPORTED_READ
 
 _FOLDER = "last_folder"
+_ICONS = {
+    "backButton": "arrow-left", "forwardButton": "arrow-right", "toParentButton": "arrow-up",
+    "newFolderButton": "folder-plus-outline", "listModeButton": "view-grid-outline",
+    "detailModeButton": "format-list-bulleted",
+}  # fmt: skip
+"""Icons of Qt's own file dialog, by the names that it gives to its buttons."""
 _Button = QMessageBox.StandardButton
 
 
@@ -46,12 +62,31 @@ def ask_where_to_save(
     return _open(dialog, lambda path: _complete(dialog, path, use))
 
 
-def ask_for_folder(parent: QWidget, title: str, use: Callable[[Path], None]) -> QFileDialog:
-    """Ask for a folder to write into and hand it on."""
-    dialog = QFileDialog(parent, title, _last_folder())
-    dialog.setFileMode(QFileDialog.FileMode.Directory)
-    dialog.setOption(QFileDialog.Option.ShowDirsOnly)
-    return _open(dialog, use)
+class FolderDialog(QFileDialog):
+    """Asks for a folder; one with a new name is made."""
+
+    def __init__(self, parent: QWidget, title: str, name: str) -> None:
+        super().__init__(parent, title, _last_folder())
+        self.setFileMode(QFileDialog.FileMode.Directory)
+        self.setOption(QFileDialog.Option.ShowDirsOnly)
+        line, buttons = self.findChild(QLineEdit), self.findChild(QDialogButtonBox)
+        if line and buttons:  # the system's own dialog has none, and a button for new folders
+            # Qt takes the button away while a name is typed that is not there.
+            choose = buttons.button(QDialogButtonBox.StandardButton.Open)
+            line.textChanged.connect(lambda _: choose.setEnabled(True))
+            self.selectFile(name)
+
+    def accept(self) -> None:
+        with suppress(OSError):  # Qt says that there is no such folder
+            Path(self.selectedFiles()[0]).mkdir(parents=True, exist_ok=True)
+        super().accept()
+
+
+def ask_for_folder(
+    parent: QWidget, title: str, name: str, use: Callable[[Path], None]
+) -> QFileDialog:
+    """Ask for a folder to write into, which may be a new one, and hand it on."""
+    return _open(FolderDialog(parent, title, name), use)
 
 
 def tell(parent: QWidget, message: str) -> QMessageBox:
@@ -114,8 +149,18 @@ def _open(dialog: QFileDialog, use: Callable[[Path], None]) -> QFileDialog:
 
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     dialog.fileSelected.connect(chosen)
+    _colour_icons(dialog)
     dialog.open()
     return dialog
+
+
+def _colour_icons(dialog: QFileDialog) -> None:
+    """Give the buttons of Qt's dialog icons that can be seen on dark, too."""
+    ink = dialog.palette().color(QPalette.ColorRole.WindowText)
+    faint = dialog.palette().color(QPalette.ColorRole.PlaceholderText)
+    for button in dialog.findChildren(QToolButton):
+        if icon := _ICONS.get(button.objectName()):
+            button.setIcon(font_icon(f"mdi6.{icon}", color=ink, color_disabled=faint))
 
 
 def _last_folder() -> str:

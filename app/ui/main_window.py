@@ -16,6 +16,7 @@ from app.ui.desk import Desk
 from app.ui.doctor_dialog import DoctorDialog
 from app.ui.empty_panel import EmptyPanel
 from app.ui.faults import FaultReports, show_log
+from app.ui.floating_panels import FloatingPanels
 from app.ui.help import show_about, show_errata, show_reference
 from app.ui.preferences import open_preferences
 from app.ui.preferences_general import kept_budget
@@ -56,6 +57,7 @@ class MainWindow(QMainWindow):
         for tab, title in zip((self.denoise, self.skeleton, self.statistics), TABS, strict=True):
             self.tabs.addTab(tab, title)
         self.setCentralWidget(self.tabs)
+        self.floating = FloatingPanels(self.tabs)
         self.files = StudyFiles(self)
         self.faults = FaultReports(self, self.files.autosave.write)
         self.view_commands = ViewCommands(self)
@@ -100,6 +102,7 @@ class MainWindow(QMainWindow):
         self.session.close()
         self.files.close()
         QSettings().setValue(_GEOMETRY, self.saveGeometry())
+        self.floating.show_all()
         self.denoise.save_layout()
         self.skeleton.save_layout()
         self.statistics.save_layout()

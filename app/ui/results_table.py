@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QItemSelectionModel, QModelIndex, QSize, Qt, Signal
+from PySide6.QtCore import QItemSelectionModel, QModelIndex, QRect, QSize, Qt, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -34,6 +34,7 @@ from core.study import Study
 _REFRESH_MS = 80
 _NOTE_ICON = 26
 _BESIDE_WORDS = 14
+_BETWEEN_ROWS = 6
 _SPACE = 12
 
 _FORMATS: dict[str, Callable[[Sequence[ResultRow]], str]] = {
@@ -45,7 +46,7 @@ _FORMATS: dict[str, Callable[[Sequence[ResultRow]], str]] = {
 
 
 class ResultsView(QTableView):
-    """Table view whose columns always fill its width; names that do not fit get more lines."""
+    """Table view whose columns always fill its width; if a name needs more lines, all get them."""
 
     def __init__(self, model: ResultsModel) -> None:
         super().__init__()
@@ -57,9 +58,9 @@ class ResultsView(QTableView):
         self._fit_widths()
         rows = self.verticalHeader()
         wraps = self.columnWidth(TITLE) < self.sizeHintForColumn(TITLE)
+        height = max(rows.defaultSectionSize(), wraps * (self._tallest_name() + _BETWEEN_ROWS))
         for row in range(self.model().rowCount()):
-            height = self.sizeHintForRow(row) if wraps else 0
-            rows.resizeSection(row, max(height, rows.defaultSectionSize()))
+            rows.resizeSection(row, height)
 
     def _fit_widths(self) -> None:
         columns = self.horizontalHeader()
@@ -84,6 +85,13 @@ class ResultsView(QTableView):
         widest = max(map(self.fontMetrics().horizontalAdvance, words), default=0)
         return widest + self.iconSize().width() + _BESIDE_WORDS
 
+    def _tallest_name(self) -> int:
+        """Height that no name needs more than in the lines that its column gives it."""
+        room = QRect(0, 0, self.columnWidth(TITLE) - self.iconSize().width() - _BESIDE_WORDS, 0)
+        wrap, metrics = Qt.TextFlag.TextWordWrap, self.fontMetrics()
+        names = (row.title for row in self.model().rows)
+        return max((metrics.boundingRect(room, wrap, name).height() for name in names), default=0)
+
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self.fit_columns()
@@ -106,7 +114,7 @@ class ResultsView(QTableView):
         self.setAccessibleName("Table of results")
         rows, columns = self.verticalHeader(), self.horizontalHeader()
         rows.hide()
-        rows.setDefaultSectionSize(self.fontMetrics().height() + 6)
+        rows.setDefaultSectionSize(self.fontMetrics().height() + _BETWEEN_ROWS)
         columns.setSectionsClickable(False)
         columns.setHighlightSections(False)
         columns.setMinimumSectionSize(_NOTE_ICON)

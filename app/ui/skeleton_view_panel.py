@@ -70,6 +70,7 @@ class ViewPanel(QWidget):
         below.addRow(_NAMES["spacing"], self.spacing)
         below.addRow(_NAMES["bands"], self.bands)
         below.addRow("", self.root)
+        _align(top, below)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 6, 0, 0)
         layout.addLayout(top)
@@ -149,3 +150,13 @@ def _form() -> QFormLayout:
     form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
     form.setVerticalSpacing(4)
     return form
+
+
+def _align(*forms: QFormLayout) -> None:
+    """Let the fields of several forms begin at the same place."""
+    role = QFormLayout.ItemRole.LabelRole
+    items = [form.itemAt(row, role) for form in forms for row in range(form.rowCount())]
+    labels = [item.widget() for item in items if item]
+    width = max(label.sizeHint().width() for label in labels)
+    for label in labels:
+        label.setMinimumWidth(width)

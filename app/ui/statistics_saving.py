@@ -66,7 +66,8 @@ def ask_for_bundle(tab: "StatisticsTab") -> None:
         else:
             write()
 
-    ask_for_folder(tab, "Save the statistics into a folder", use)
+    name = f"{tab.work.models[0].name}_statistics"
+    ask_for_folder(tab, "Save the statistics into a folder", name, use)
 
 
 def bundle(tab: "StatisticsTab", model: Model, folder: Path) -> None:

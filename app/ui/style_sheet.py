@@ -18,6 +18,7 @@ QDockWidget::title { padding: 5px 8px; }
 QToolBar { spacing: 2px; padding: 3px 6px; border: none; }
 QToolButton { padding: 3px 6px; }
 QStatusBar::item { border: none; }
+QMenu::separator { height: 1px; margin: 4px 6px; background: $line; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QCheckBox, QRadioButton { padding: 2px 0; }
 QCheckBox::indicator, QRadioButton::indicator, QAbstractItemView::indicator {
@@ -38,7 +39,7 @@ QCheckBox:focus { outline: 1px dotted $accent; }
 """)
 
 
-def style_sheet(*, dark: bool, ground: str, outline: str, accent: str) -> str:
+def style_sheet(*, dark: bool, ground: str, outline: str, accent: str, line: str) -> str:
     """Return the sheet for a theme.
 
     Parameters
@@ -47,9 +48,11 @@ def style_sheet(*, dark: bool, ground: str, outline: str, accent: str) -> str:
         Whether icons are to be light.
     ground, outline, accent : str
         Colours of what can be checked: its ground, its outline, and when it is checked.
+    line : str
+        Colour of the lines that divide a menu.
     """
     icons = Path(str(files("resources") / "icons")).as_posix()
     theme = "dark" if dark else "light"
     return _SHEET.substitute(
-        icons=icons, theme=theme, ground=ground, outline=outline, accent=accent
+        icons=icons, theme=theme, ground=ground, outline=outline, accent=accent, line=line
     )

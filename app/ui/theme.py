@@ -30,8 +30,8 @@ def set_mode(mode: Mode) -> None:
     QGuiApplication.styleHints().setColorScheme(_SCHEMES[mode])
     # Not every platform follows the request, so the palette is set as well.
     dark = mode == "dark" or (mode == "system" and system_is_dark())
-    _, base, *_, dim, highlight, _ = _ROLES[dark]
-    sheet = style_sheet(dark=dark, ground=base, outline=dim, accent=highlight)
+    _, base, *_, dim, highlight, line = _ROLES[dark]
+    sheet = style_sheet(dark=dark, ground=base, outline=dim, accent=highlight, line=line)
     _dress(_palette(dark=dark), sheet)
 
 

@@ -5,6 +5,7 @@ import pytest
 import pyvista as pv
 
 from app.export.pictures import prefer_headless_graphics
+from app.scene.caption import parted
 from app.scene.colours import LIGHT
 from app.scene.panes import Look
 from app.scene.statistics_panes import PaneMaker, ShownModel
@@ -46,3 +47,8 @@ def test_models_lie_side_by_side(scene, count):
     scene.show(PaneMaker().panes([BALL] * count), Look(BALL.mesh.faces, LIGHT), SIZE)
     assert [scene.model_at(x, 0.5) for x in (0.25, 0.75)] == [0, count - 1]
     assert np.isclose(sum(port.right - port.left for port in scene.viewports), 1)
+
+
+def test_a_narrow_caption_gets_a_second_line():
+    (shown,) = PaneMaker().panes([BALL])
+    assert parted(shown.pane.caption, 12, room=120) == "162 vertices\n320 faces"

@@ -4,7 +4,7 @@ import pytest
 from matplotlib.colors import to_rgba
 from PySide6.QtCore import QEvent, QObject, QRegularExpression, QSettings, Qt
 from PySide6.QtGui import QColor, QGuiApplication, QPalette
-from PySide6.QtWidgets import QAbstractButton, QCheckBox
+from PySide6.QtWidgets import QAbstractButton, QCheckBox, QToolButton
 
 from app.ui.preferences import open_preferences
 from app.ui.preferences_general import GeneralPage
@@ -37,6 +37,13 @@ def outline(check):
     return QColor(image.pixel(0, round(check.height() * scale / 2)))
 
 
+def contrast(button, ground):
+    """How much the strongest ink of a button's icon stands out."""
+    icon = button.icon().pixmap(button.size()).toImage()
+    inks = [icon.pixelColor(x, y) for x in range(icon.width()) for y in range(icon.height())]
+    return max(ratio(ink, ground) for ink in inks if ink.alpha() > 200)
+
+
 @pytest.mark.parametrize("mode", ["light", "dark"])
 def test_an_unchecked_box_stands_out_from_the_ground(user, qtbot, mode):
     user.window.actions_[f"theme_{mode}"].trigger()
@@ -61,9 +68,18 @@ def test_the_buttons_of_a_panel_stand_out_from_its_title(user, qtbot, mode):
     user.window.actions_[f"theme_{mode}"].trigger()
     ground = user.window.palette().color(QPalette.ColorRole.Window)
     for button in user.denoise.docks[0].findChildren(QAbstractButton, TITLE_BUTTON):
-        icon = button.icon().pixmap(button.size()).toImage()
-        inks = [icon.pixelColor(x, y) for x in range(icon.width()) for y in range(icon.height())]
-        assert max(ratio(ink, ground) for ink in inks if ink.alpha() > 200) >= TEXT_RATIO
+        assert contrast(button, ground) >= TEXT_RATIO
+
+
+@pytest.mark.parametrize("mode", ["light", "dark"])
+def test_the_buttons_of_a_file_dialog_stand_out(user, mode):
+    user.window.actions_[f"theme_{mode}"].trigger()
+    user.window.actions_["open"].trigger()
+    (dialog,) = user.file_dialogs()
+    ground = user.window.palette().color(QPalette.ColorRole.Window)
+    for name in ("toParentButton", "newFolderButton", "listModeButton", "detailModeButton"):
+        assert contrast(dialog.findChild(QToolButton, name), ground) >= TEXT_RATIO
+    dialog.reject()
 
 
 @pytest.mark.parametrize("mode", ["light", "dark"])

@@ -2,7 +2,7 @@
 
 import pytest
 from PySide6.QtCore import QMimeData, Qt, QUrl
-from PySide6.QtWidgets import QMessageBox
+from PySide6.QtWidgets import QApplication, QLineEdit, QMessageBox
 
 from app.ui.dialogs import remember_folder
 from core.study_files import read_study_file
@@ -41,6 +41,13 @@ def answer(user, word):
     text = box.text()
     user.qtbot.mouseClick(user.button(box, word), LEFT)
     return text
+
+
+def show_statistics(user, model):
+    user.open(model)
+    tab = user.window.statistics
+    user.window.tabs.setCurrentWidget(tab)
+    user.wait(lambda: tab.work.summaries() and tab.work.activity is None)
 
 
 def said(user):
@@ -96,11 +103,22 @@ def test_what_cannot_be_dropped_is_told(user, folder):
     assert "a model or a study" in said(user)
 
 
+def test_statistics_go_into_a_new_folder(user, ball_file, folder):
+    show_statistics(user, ball_file)
+    user.window.actions_["save_statistics"].trigger()
+    dialog = user.file_dialogs()[0]
+    line, choose = dialog.findChild(QLineEdit), user.button(dialog, "Choose")
+    assert line.text() == "ball_statistics"
+    assert choose.isEnabled()
+    QApplication.clipboard().setText(str(folder / "new" / "ball"))
+    line.selectAll()
+    line.paste()
+    user.qtbot.mouseClick(choose, LEFT)
+    user.wait((folder / "new" / "ball" / "figure.png").exists)
+
+
 def test_statistics_are_not_put_into_a_filled_folder_unasked(user, ball_file, folder):
-    user.open(ball_file)
-    tab = user.window.statistics
-    user.window.tabs.setCurrentWidget(tab)
-    user.wait(lambda: tab.work.summaries() and tab.work.activity is None)
+    show_statistics(user, ball_file)
     mine = folder / "figure.png"
     mine.write_bytes(b"mine")
     save(user, "save_statistics", folder)

@@ -197,9 +197,27 @@ def test_nothing_is_asked_where_nothing_was_done(user, ball_file):
     assert not user.window.isVisible()
 
 
+def test_only_what_would_be_lost_is_kept_to_restore(user, ball_file, tmp_path):
+    def kept():
+        user.window.files.autosave.write()
+        return list((tmp_path / "state").rglob("study.json"))
+
+    user.open(ball_file)
+    assert not kept()
+    user.window.actions_["edges"].trigger()  # no work to be asked about, yet lost in a crash
+    assert not user.window.files.documents.is_modified
+    assert kept()
+    save_as(user, tmp_path / "first.burnish")
+    assert not kept()
+    user.type_iterations("mean", 9)
+    assert kept()
+
+
 def test_closing_leaves_nothing_to_restore(user, saved, tmp_path):
+    user.type_iterations("mean", 7)
     user.window.files.autosave.write()
     assert list((tmp_path / "state").rglob("study.json"))
+    user.window.files.discard_changes()
     user.window.close()
     assert not list((tmp_path / "state").rglob("study.json"))
 
@@ -276,6 +294,7 @@ def test_after_a_kill_the_next_start_offers_what_was_open(killed, user, tmp_path
 
 def test_what_a_crash_left_can_be_thrown_away(user, saved, tmp_path):
     kept = user.window.files.autosave
+    user.type_iterations("mean", 7)
     kept.write()
     left = kept.folder.with_name("left")
     left.mkdir()

@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 from matplotlib.image import imread
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QSettings, Qt
 from PySide6.QtGui import QGuiApplication
 
 from app.ui.montage_dialog import MontageDialog
@@ -272,3 +272,22 @@ def test_panels_are_switched_by_a_command(user, ball_file):
     assert not action.isChecked()
     user.window.actions_["reset_panels"].trigger()
     assert action.isChecked()
+
+
+def test_a_floating_panel_goes_and_comes_with_its_tab(user, ball_file):
+    user.open(ball_file)
+    panel, closed = user.denoise.docks[2:]
+    panel.setFloating(True)
+    closed.setFloating(True)
+    closed.close()
+    user.press(Qt.Key.Key_2, CONTROL)
+    assert panel.isHidden()
+    user.press(Qt.Key.Key_3, CONTROL)
+    user.press(Qt.Key.Key_1, CONTROL)
+    assert panel.isVisible()
+    assert closed.isHidden()
+    user.press(Qt.Key.Key_2, CONTROL)
+    user.window.files.discard_changes()
+    user.window.close()
+    user.denoise.restoreState(QSettings().value("denoise_layout"))
+    assert not panel.isHidden()
