@@ -41,17 +41,20 @@ class PaneMaker:
         self._points: dict[int, tuple[TriangleMesh, Points, UnitFrame]] = {}
 
     def panes(self, models: Sequence[ShownModel]) -> list[ModelPane]:
-        """Return the panes of some models."""
-        return [self._pane(place, model) for place, model in enumerate(models)]
+        """Return the panes of some models; one alone has room for its numbers."""
+        alone = len(models) == 1
+        return [self._pane(place, model, alone=alone) for place, model in enumerate(models)]
 
-    def _pane(self, place: int, model: ShownModel) -> ModelPane:
+    def _pane(self, place: int, model: ShownModel, *, alone: bool) -> ModelPane:
         known = self._points.get(place)
         if known is None or known[0] is not model.mesh:
             known = self._points[place] = (model.mesh, *unit_points(model.mesh))
         mesh = model.mesh
-        caption = f"{len(mesh.vertices):,} vertices{PART_GAP}{len(mesh.faces):,} faces"
+        numbers = f"{len(mesh.vertices):,} vertices{PART_GAP}{len(mesh.faces):,} faces"
         values = None if model.values is None else np.nan_to_num(model.values, posinf=np.nan)
-        pane = Pane(str(place), model.name, caption, model.colour, known[1], values)
+        pane = Pane(
+            str(place), model.name, numbers if alone else "", model.colour, known[1], values
+        )
         return ModelPane(pane, model.mesh.faces, known[2])
 
 

@@ -52,3 +52,7 @@ def test_models_lie_side_by_side(scene, count):
 def test_a_narrow_caption_gets_a_second_line():
     (shown,) = PaneMaker().panes([BALL])
     assert parted(shown.pane.caption, 12, room=120) == "162 vertices\n320 faces"
+
+
+def test_numbers_of_two_models_cover_neither():
+    assert [shown.pane.caption for shown in PaneMaker().panes([BALL, BALL])] == ["", ""]
