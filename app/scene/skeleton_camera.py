@@ -6,8 +6,8 @@ from app.scene.camera import CameraPose, preset_directions
 from core.arrays import FloatArray
 
 _VIEW_ANGLE = 30.0
-_MARGIN = 1.12
-_HEADROOM = 0.06
+_MARGIN = 1.15
+_HEADROOM = 0.08
 
 
 def fitting_pose(preset: str, points: FloatArray, aspect: float) -> CameraPose:
