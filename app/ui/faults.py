@@ -119,7 +119,7 @@ class FaultReports(QObject):
         if "connection broke" in message:
             with suppress(Exception):
                 self._keep()
-            say("The display is lost. The study is kept; the next start offers to restore it.")
+            say("The display is lost. What was not saved is kept; the next start offers it.")
             leave(NO_WINDOW)
 
     def _forget_box(self, _: int) -> None:

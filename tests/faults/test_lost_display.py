@@ -47,7 +47,7 @@ def test_a_lost_display_ends_the_program_and_keeps_the_study(
     assert program.returncode == 1
     lines = [line for line in stderr.splitlines() if line.startswith("burnish: ")]
     assert lines == [
-        "burnish: The display is lost. The study is kept; the next start offers to restore it."
+        "burnish: The display is lost. What was not saved is kept; the next start offers it."
     ]
     kept = list((tmp_path / "state").rglob("study.json"))
     assert len(kept) == 1

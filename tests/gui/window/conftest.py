@@ -24,6 +24,14 @@ def ball_file(tmp_path):
 
 
 @pytest.fixture
+def folder(tmp_path):
+    """An empty folder to save into."""
+    folder = tmp_path / "out"
+    folder.mkdir()
+    return folder
+
+
+@pytest.fixture
 def gate():
     """Holds up what waits for it until it is set, at the latest at the end of the test."""
     gate = threading.Event()

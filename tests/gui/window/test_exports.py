@@ -23,13 +23,6 @@ SHIFT = Qt.KeyboardModifier.ShiftModifier
 
 
 @pytest.fixture
-def folder(tmp_path):
-    folder = tmp_path / "out"
-    folder.mkdir()
-    return folder
-
-
-@pytest.fixture
 def statistics(user, ball_file):
     user.open(ball_file)
     tab = user.window.statistics

@@ -1,6 +1,5 @@
 """Where the window saves: names that are completed, folders that are proposed, questions asked."""
 
-import pytest
 from PySide6.QtCore import QMimeData, Qt, QUrl
 from PySide6.QtWidgets import QApplication, QLineEdit, QMessageBox
 
@@ -9,13 +8,6 @@ from core.study_files import read_study_file
 
 CONTROL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 LEFT = Qt.MouseButton.LeftButton
-
-
-@pytest.fixture
-def folder(tmp_path):
-    folder = tmp_path / "out"
-    folder.mkdir()
-    return folder
 
 
 def save(user, command, path):
