@@ -15,6 +15,7 @@ F = TypeVar("F", bound=Callable[..., Any])
 Tables = TypeVarTuple("Tables")
 
 __all__ = [
+    "ONE",
     "Kernel",
     "fused_kernel",
     "fused_parallel_kernel",
@@ -27,6 +28,9 @@ __all__ = [
 # ``nogil`` lets a window stay responsive beside a plain worker thread, ``cache`` keeps the machine
 # code on disk, and numpy's error model gives inf and nan instead of raising in a loop.
 _OPTIONS: dict[str, Any] = {"cache": True, "nogil": True, "error_model": "numpy"}
+
+ONE = np.uint64(1)
+"""What to add to an unsigned number in a kernel: with a plain 1 numba makes it a float."""
 
 prange = range
 """Range of a parallel loop; numba's takes its place where a kernel is compiled."""

@@ -1,4 +1,4 @@
-"""What :mod:`core.lanes` is compiled to: a number, or LLVM's vector of four.
+"""What :mod:`core.lanes` is compiled to: a number, or LLVM's vector of eight.
 
 Kernels whose machine code is on disk do not notice a change in this file: delete it then.
 """
@@ -31,10 +31,10 @@ _BYTES = 8
 
 
 class LanesType(types.Type):  # type: ignore[misc]
-    """Type of four numbers in a kernel; one number becomes four equal ones where it has to."""
+    """Type of eight numbers in a kernel; one number becomes eight equal ones where it has to."""
 
     def can_convert_from(self, context: Any, other: types.Type) -> Any:
-        """Tell the compiler that a number can stand for four."""
+        """Tell the compiler that a number can stand for eight."""
         return Conversion.safe if other == types.float64 else None
 
 
@@ -83,14 +83,14 @@ def _lane_function(function: F) -> F:
 
 
 def _kind(array: Any, dimensions: int) -> types.Type | None:
-    """What an array holds of one mesh, which has so many dimensions, or of four; else None."""
+    """What an array holds of one mesh, which has so many dimensions, or of eight; else None."""
     if not isinstance(array, types.Array) or (array.dtype, array.layout) != (types.float64, "C"):
         return None
     return {dimensions: types.float64, dimensions + 1: _LANES}.get(array.ndim)
 
 
 def _address(context: Any, builder: Any, array: Any, value: Any, kind: Any, place: Any) -> Any:
-    """Where the number or the four at some place of an array are."""
+    """Where the number or the eight at some place of an array are."""
     data = context.make_array(array)(context, builder, value).data
     if kind == types.float64:
         return builder.gep(data, [place])

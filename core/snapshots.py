@@ -18,7 +18,7 @@ from core.study import MethodChoice
 # Errors are measured after at most this time, in seconds: whoever looks at the plot sees it grow.
 _PATIENCE = 0.2
 # Memory for iterations that wait: each with its positions, and all side by side with one number.
-_ROOM = 256 * 2**20
+_ROOM = 512 * 2**20
 _BYTES_OF_A_VERTEX = 8 * WIDTH * (3 + 3 + 1)
 
 
@@ -96,7 +96,7 @@ def measured(
 ) -> Iterator[Snapshot | None]:
     """Yield snapshots with their errors; None while an iteration takes long or waits for others.
 
-    Four are measured together, because that takes less than two by themselves. Fewer, when the
+    Eight are measured together, because that takes less than three by themselves. Fewer, when the
     last one that is `wanted` is there, when the last errors are a while ago, when those of a large
     mesh would take too much memory, and when the run ends.
     """
@@ -138,7 +138,7 @@ class _Errors:
         self._room: FloatArray | None = None
 
     def snapshots(self, waiting: list[Iteration], *, more: bool = False) -> Iterator[Snapshot]:
-        """Yield the one to four iterations that wait, with their errors; they wait no longer."""
+        """Yield the one to eight iterations that wait, with their errors; they wait no longer."""
         values = self._values([step.along_surface for step in waiting])
         if not more:
             self._room = None

@@ -3,13 +3,14 @@
 import numpy as np
 
 from core.arrays import FloatArray, IntArray
-from core.kernels import parallel_kernel, prange
+from core.kernels import fused_parallel_kernel, prange
+from core.lanes import xyz
 
 CAUCHY_CONSTANT = 2.3849
 """Tuning constant c with 95 % asymptotic efficiency on the Gaussian (thesis §2.4)."""
 
 
-@parallel_kernel
+@fused_parallel_kernel
 def set_cauchy_weights(
     vertices: FloatArray,
     starts: IntArray,
@@ -24,16 +25,16 @@ def set_cauchy_weights(
     """
     factor = (scale / c) ** 2
     for i in prange(len(vertices)):
+        x, y, z = xyz(vertices, i)
         total = 0.0
-        for j in items[starts[i] : starts[i + 1]]:
-            x = vertices[j, 0] - vertices[i, 0]
-            y = vertices[j, 1] - vertices[i, 1]
-            z = vertices[j, 2] - vertices[i, 2]
-            total += x * x + y * y + z * z
+        for k in range(starts[i], starts[i + 1]):
+            a, b, c = xyz(vertices, items[k])
+            dx, dy, dz = a - x, b - y, c - z
+            total += dx * dx + dy * dy + dz * dz
         weights[i] = 1 / (1 + factor * total / max(starts[i + 1] - starts[i], 1))
 
 
-@parallel_kernel
+@fused_parallel_kernel
 def printed_cauchy_weights(
     vertices: FloatArray,
     starts: IntArray,
@@ -50,13 +51,12 @@ def printed_cauchy_weights(
     weights = np.empty(len(vertices))
     factor = (scale / c) ** 2
     for i in prange(len(vertices)):
-        ax, ay, az = roots[i] * vertices[i, 0], roots[i] * vertices[i, 1], roots[i] * vertices[i, 2]
+        (x, y, z), root = xyz(vertices, i), roots[i]
         total = 0.0
-        for j in items[starts[i] : starts[i + 1]]:
-            x = roots[j] * vertices[j, 0] - ax
-            y = roots[j] * vertices[j, 1] - ay
-            z = roots[j] * vertices[j, 2] - az
-            total += x * x + y * y + z * z
+        for k in range(starts[i], starts[i + 1]):
+            (a, b, c), other = xyz(vertices, items[k]), roots[items[k]]
+            dx, dy, dz = other * a - root * x, other * b - root * y, other * c - root * z
+            total += dx * dx + dy * dy + dz * dz
         weights[i] = 1 / (1 + factor * total)
     return weights
 

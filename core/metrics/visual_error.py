@@ -4,6 +4,7 @@ import numpy as np
 
 from core.arrays import FloatArray, IntArray
 from core.kernels import (
+    ONE,
     fused_kernel,
     fused_parallel_kernel,
     kernel,
@@ -21,7 +22,6 @@ Ring = tuple[IntArray, IntArray]
 
 # So many vertices are one piece of work for a thread.
 _BLOCK = 1024
-_ONE = np.uint64(1)
 
 
 @fused_kernel
@@ -49,7 +49,7 @@ def _set_weights(
     for i in range(np.uint64(first), np.uint64(last)):
         x, y, z = _scaled(positions, origin, roots, i)
         squares = 0.0
-        for k in range(starts[i], starts[i + _ONE]):
+        for k in range(starts[i], starts[i + ONE]):
             a, b, c = _scaled(positions, origin, roots, items[k])
             dx, dy, dz = x - a, y - b, z - c
             squares = squares + (dx * dx + dy * dy + dz * dz)
@@ -62,12 +62,12 @@ def _diffusion(positions: FloatArray, weights: FloatArray, ring: Ring, i: int) -
     starts, items = ring
     (x, y, z), g = xyz(positions, i), row(weights, i)
     ax = ay = az = 0.0
-    for k in range(starts[i], starts[i + _ONE]):
+    for k in range(starts[i], starts[i + ONE]):
         (a, b, c), weight = xyz(positions, items[k]), g + row(weights, items[k])
         ax = ax + weight * (x - a)
         ay = ay + weight * (y - b)
         az = az + weight * (z - c)
-    share = 1 / max(starts[i + _ONE] - starts[i], _ONE)
+    share = 1 / max(starts[i + ONE] - starts[i], ONE)
     return share * ax, share * ay, share * az
 
 

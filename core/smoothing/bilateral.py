@@ -5,11 +5,12 @@ from collections.abc import Iterator
 import numpy as np
 
 from core.arrays import FloatArray, IntArray
-from core.kernels import kernel, parallel_kernel, prange, unsigned
+from core.kernels import ONE, fused_kernel, fused_parallel_kernel, prange, unsigned
+from core.lanes import xyz
 from core.mesh import TriangleMesh
 from core.parameters import Params, param
 from core.smoothing.exponential import falling_exponential
-from core.smoothing.normal_update import set_areas_and_normals
+from core.smoothing.normal_update import set_normals
 from core.smoothing.spec import MethodSpec
 
 # Unit normals whose mean is no longer than this cancel; what is left of them is rounding.
@@ -40,7 +41,7 @@ class BilateralParams(Params):
     )
 
 
-@kernel
+@fused_kernel
 def _set_vertex_normals(
     face_normals: FloatArray,
     starts: IntArray,
@@ -50,18 +51,17 @@ def _set_vertex_normals(
     normals: FloatArray,
 ) -> None:
     """Note the unit mean of the face normals around the vertices from first to last."""
-    for i in range(first, last):
+    for i in range(np.uint64(first), np.uint64(last)):
         x = y = z = 0.0
-        for t in items[starts[i] : starts[i + 1]]:
-            x += face_normals[t, 0]
-            y += face_normals[t, 1]
-            z += face_normals[t, 2]
+        for k in range(starts[i], starts[i + ONE]):
+            a, b, c = xyz(face_normals, items[k])
+            x, y, z = x + a, y + b, z + c
         length = np.sqrt(x * x + y * y + z * z)
-        factor = 1 / length if length > _CANCELLED * (starts[i + 1] - starts[i]) else 0.0
+        factor = 1 / length if length > _CANCELLED * (starts[i + ONE] - starts[i]) else 0.0
         normals[i, 0], normals[i, 1], normals[i, 2] = factor * x, factor * y, factor * z
 
 
-@kernel
+@fused_kernel
 def _measure_rings(
     vertices: FloatArray,
     normals: FloatArray,
@@ -71,23 +71,21 @@ def _measure_rings(
     last: int,
     heights: FloatArray,
     squares: FloatArray,
-) -> int:
+) -> np.uint64:
     """Note ⟨nᵢ, vⱼ − vᵢ⟩ and ‖vⱼ − vᵢ‖², ring after ring from first to last; returns how many."""
-    slot = 0
-    for i in range(first, last):
-        for j in items[starts[i] : starts[i + 1]]:
-            dx, dy, dz = (
-                vertices[j, 0] - vertices[i, 0],
-                vertices[j, 1] - vertices[i, 1],
-                vertices[j, 2] - vertices[i, 2],
-            )
-            heights[slot] = normals[i, 0] * dx + normals[i, 1] * dy + normals[i, 2] * dz
+    slot = np.uint64(0)
+    for i in range(np.uint64(first), np.uint64(last)):
+        (x, y, z), (nx, ny, nz) = xyz(vertices, i), xyz(normals, i)
+        for k in range(starts[i], starts[i + ONE]):
+            a, b, c = xyz(vertices, items[k])
+            dx, dy, dz = a - x, b - y, c - z
+            heights[slot] = nx * dx + ny * dy + nz * dz
             squares[slot] = dx * dx + dy * dy + dz * dz
-            slot += 1
+            slot += ONE
     return slot
 
 
-@kernel
+@fused_kernel
 def _set_weights(
     heights: FloatArray, squares: FloatArray, sigma_c: float, sigma_s: float, weights: FloatArray
 ) -> None:
@@ -100,7 +98,7 @@ def _set_weights(
         )
 
 
-@parallel_kernel
+@fused_parallel_kernel
 def _move_along_normals(
     vertices: FloatArray,
     face_normals: FloatArray,
@@ -121,26 +119,29 @@ def _move_along_normals(
         _set_vertex_normals(face_normals, face_starts, face_items, first, last, normals)
         count = _measure_rings(vertices, normals, starts, items, first, last, heights, squares)
         _set_weights(heights[:count], squares, sigma_c, sigma_s, weights)
-        slot = 0
-        for i in range(first, last):
+        slot = np.uint64(0)
+        for i in range(np.uint64(first), np.uint64(last)):
             total = offset = 0.0
-            for _ in range(starts[i + 1] - starts[i]):
+            for _ in range(starts[i + ONE] - starts[i]):
                 total += weights[slot]
                 offset += weights[slot] * heights[slot]
-                slot += 1
+                slot += ONE
             height = offset / total if total > 0 else 0.0
-            moved[i, 0] = vertices[i, 0] + height * normals[i, 0]
-            moved[i, 1] = vertices[i, 1] + height * normals[i, 1]
-            moved[i, 2] = vertices[i, 2] + height * normals[i, 2]
+            (x, y, z), (nx, ny, nz) = xyz(vertices, i), xyz(normals, i)
+            moved[i, 0], moved[i, 1], moved[i, 2] = (
+                x + height * nx,
+                y + height * ny,
+                z + height * nz,
+            )
     return moved
 
 
 def _heights(mesh: TriangleMesh) -> FloatArray:
     """Height ⟨nᵢ, vⱼ − vᵢ⟩ of every ring entry over the tangent plane, in the ring's order."""
     n, m, ring = len(mesh.faces), len(mesh.vertices), mesh.topology.vertex_ring
-    areas, face_normals, normals = np.empty(n), np.empty((n, 3)), np.empty((m, 3))
+    face_normals, normals = np.empty((n, 3)), np.empty((m, 3))
     heights, squares = np.empty(len(ring.items)), np.empty(len(ring.items))
-    set_areas_and_normals(mesh.vertices, *unsigned(mesh.faces), areas, face_normals)
+    set_normals(mesh.vertices, *unsigned(mesh.faces), face_normals)
     _set_vertex_normals(face_normals, *unsigned(*mesh.topology.vertex_faces), 0, m, normals)
     _measure_rings(mesh.vertices, normals, *unsigned(*ring), 0, m, heights, squares)
     return heights
@@ -196,10 +197,10 @@ def steps(mesh: TriangleMesh, params: BilateralParams) -> Iterator[FloatArray]:
     longest = int(np.diff(starts[::_BLOCK], append=starts[-1]).max())
     widths = automatic_widths(mesh, params)
     n, m = len(faces), len(mesh.vertices)
-    areas, face_normals, normals = np.empty(n), np.empty((n, 3)), np.empty((m, 3))
+    face_normals, normals = np.empty((n, 3)), np.empty((m, 3))
     vertices = mesh.vertices
     while True:
-        set_areas_and_normals(vertices, faces, areas, face_normals)
+        set_normals(vertices, faces, face_normals)
         vertices = _move_along_normals(vertices, face_normals, *rings, longest, *widths, normals)
         yield vertices
 

@@ -6,7 +6,8 @@ from typing import Literal
 import numpy as np
 
 from core.arrays import FloatArray, IntArray
-from core.kernels import parallel_kernel, prange, unsigned
+from core.kernels import fused_parallel_kernel, prange, unsigned
+from core.lanes import xyz
 from core.mesh import TriangleMesh
 from core.mesh.gradient import (
     CAUCHY_CONSTANT,
@@ -48,7 +49,7 @@ class DiffusionParams(Params):
     )
 
 
-@parallel_kernel
+@fused_parallel_kernel
 def _diffuse(
     vertices: FloatArray,
     starts: IntArray,
@@ -59,19 +60,19 @@ def _diffuse(
     """One step of the invariant form; `roots` are the 1/√dᵢ."""
     moved = np.empty_like(vertices)
     for i in prange(len(vertices)):
-        x = y = z = 0.0
-        for j in items[starts[i] : starts[i + 1]]:
-            weight = roots[j] * (weights[i] + weights[j])
-            x += weight * (vertices[j, 0] - vertices[i, 0])
-            y += weight * (vertices[j, 1] - vertices[i, 1])
-            z += weight * (vertices[j, 2] - vertices[i, 2])
-        moved[i, 0] = vertices[i, 0] + roots[i] * x
-        moved[i, 1] = vertices[i, 1] + roots[i] * y
-        moved[i, 2] = vertices[i, 2] + roots[i] * z
+        (x, y, z), g, root = xyz(vertices, i), weights[i], roots[i]
+        dx = dy = dz = 0.0
+        for k in range(starts[i], starts[i + 1]):
+            j = items[k]
+            (a, b, c), weight = xyz(vertices, j), roots[j] * (g + weights[j])
+            dx += weight * (a - x)
+            dy += weight * (b - y)
+            dz += weight * (c - z)
+        moved[i, 0], moved[i, 1], moved[i, 2] = x + root * dx, y + root * dy, z + root * dz
     return moved
 
 
-@parallel_kernel
+@fused_parallel_kernel
 def _diffuse_as_printed(
     vertices: FloatArray,
     starts: IntArray,
@@ -82,15 +83,15 @@ def _diffuse_as_printed(
     """One step of eq. (9) as it stands; `roots` are the 1/√dᵢ."""
     moved = np.empty_like(vertices)
     for i in prange(len(vertices)):
-        x = y = z = 0.0
-        for j in items[starts[i] : starts[i + 1]]:
-            weight = weights[i] + weights[j]
-            x += weight * (roots[j] * vertices[j, 0] - roots[i] * vertices[i, 0])
-            y += weight * (roots[j] * vertices[j, 1] - roots[i] * vertices[i, 1])
-            z += weight * (roots[j] * vertices[j, 2] - roots[i] * vertices[i, 2])
-        moved[i, 0] = vertices[i, 0] + roots[i] * x
-        moved[i, 1] = vertices[i, 1] + roots[i] * y
-        moved[i, 2] = vertices[i, 2] + roots[i] * z
+        (x, y, z), g, root = xyz(vertices, i), weights[i], roots[i]
+        dx = dy = dz = 0.0
+        for k in range(starts[i], starts[i + 1]):
+            j = items[k]
+            (a, b, c), weight, other = xyz(vertices, j), g + weights[j], roots[j]
+            dx += weight * (other * a - root * x)
+            dy += weight * (other * b - root * y)
+            dz += weight * (other * c - root * z)
+        moved[i, 0], moved[i, 1], moved[i, 2] = x + root * dx, y + root * dy, z + root * dz
     return moved
 
 

@@ -3,7 +3,8 @@
 import numpy as np
 
 from core.arrays import FloatArray, IntArray
-from core.kernels import parallel_kernel, prange, unsigned
+from core.kernels import fused_parallel_kernel, prange, unsigned
+from core.lanes import xyz
 from core.mesh import TriangleMesh
 from core.mesh.geometry import bounding_box
 
@@ -22,19 +23,18 @@ class DivergenceError(ArithmeticError):
         self.iteration = iteration
 
 
-@parallel_kernel
+@fused_parallel_kernel
 def _total_length(vertices: FloatArray, edges: IntArray) -> float:
     total = 0.0
     for e in prange(len(edges)):
         i, j = edges[e, 0], edges[e, 1]
-        x = vertices[j, 0] - vertices[i, 0]
-        y = vertices[j, 1] - vertices[i, 1]
-        z = vertices[j, 2] - vertices[i, 2]
-        total += np.sqrt(x * x + y * y + z * z)
+        (x, y, z), (a, b, c) = xyz(vertices, i), xyz(vertices, j)
+        dx, dy, dz = a - x, b - y, c - z
+        total += np.sqrt(dx * dx + dy * dy + dz * dz)
     return total
 
 
-@parallel_kernel
+@fused_parallel_kernel
 def _reach_and_growth(
     vertices: FloatArray,
     before: FloatArray,
@@ -49,21 +49,14 @@ def _reach_and_growth(
     """
     outside = 0
     growth = 0.0
+    ox, oy, oz = centre[0], centre[1], centre[2]
     for i in prange(len(vertices)):
-        farthest = max(
-            abs(vertices[i, 0] - centre[0]),
-            abs(vertices[i, 1] - centre[1]),
-            abs(vertices[i, 2] - centre[2]),
-        )
-        x, y, z = (
-            vertices[i, 0] - before[i, 0],
-            vertices[i, 1] - before[i, 1],
-            vertices[i, 2] - before[i, 2],
-        )
-        distance = np.sqrt(x * x + y * y + z * z)
-        # A largest value hides what is not a number; a distance does not.
-        outside += not (farthest <= reach and np.isfinite(distance))
-        growth += degrees[i] * distance
+        (x, y, z), (a, b, c) = xyz(vertices, i), xyz(before, i)
+        # No comparison with what is not a number holds.
+        inside = (abs(x - ox) <= reach) & (abs(y - oy) <= reach) & (abs(z - oz) <= reach)
+        outside += not inside
+        dx, dy, dz = x - a, y - b, z - c
+        growth += degrees[i] * np.sqrt(dx * dx + dy * dy + dz * dz)
     return outside, growth
 
 

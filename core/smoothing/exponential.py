@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from core.kernels import kernel
+from core.kernels import fused_kernel
 
 # Below this the exponential is smaller than any normal number.
 _LOWEST = -708.0
@@ -14,7 +14,7 @@ _LN2 = float(np.float32(np.log(2)))
 _LN2_REST = -1.904654299957768e-9
 
 
-@kernel
+@fused_kernel
 def falling_exponential(x: float) -> float:
     """eˣ for x ≤ 0, but for the last two bits; 0 below −708 and for no number.
 

@@ -5,7 +5,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from core.arrays import FloatArray, IntArray
-from core.kernels import parallel_kernel, prange, unsigned
+from core.kernels import fused_parallel_kernel, prange, unsigned
+from core.lanes import xyz
 from core.mesh import TriangleMesh
 from core.parameters import Params, param
 from core.smoothing.spec import MethodSpec
@@ -23,21 +24,19 @@ class LaplacianParams(Params):
     )
 
 
-@parallel_kernel
+@fused_parallel_kernel
 def _move_to_ring_mean(
     vertices: FloatArray, starts: IntArray, items: IntArray, step: float
 ) -> FloatArray:
     moved = np.empty_like(vertices)
     for i in prange(len(vertices)):
-        x = y = z = 0.0
-        for j in items[starts[i] : starts[i + 1]]:
-            x += vertices[j, 0] - vertices[i, 0]
-            y += vertices[j, 1] - vertices[i, 1]
-            z += vertices[j, 2] - vertices[i, 2]
+        x, y, z = xyz(vertices, i)
+        dx = dy = dz = 0.0
+        for k in range(starts[i], starts[i + 1]):
+            a, b, c = xyz(vertices, items[k])
+            dx, dy, dz = dx + (a - x), dy + (b - y), dz + (c - z)
         share = step / max(starts[i + 1] - starts[i], 1)
-        moved[i, 0] = vertices[i, 0] + share * x
-        moved[i, 1] = vertices[i, 1] + share * y
-        moved[i, 2] = vertices[i, 2] + share * z
+        moved[i, 0], moved[i, 1], moved[i, 2] = x + share * dx, y + share * dy, z + share * dz
     return moved
 
 

@@ -6,6 +6,7 @@ import numpy as np
 
 from core.arrays import FloatArray, IntArray
 from core.kernels import parallel_kernel, prange, unsigned
+from core.lanes import xyz
 from core.mesh import TriangleMesh
 from core.mesh.face_rings import FaceRings
 from core.mesh.triangles import triangle_vector
@@ -47,14 +48,12 @@ def set_mean_planes(
     for i in prange(len(starts) - 1):
         t = first + i
         x = y = z = total = 0.0
-        for other in items[starts[i] : starts[i + 1]]:
-            x += vectors[other, 0]
-            y += vectors[other, 1]
-            z += vectors[other, 2]
-            total += areas[other]
+        for k in range(starts[i], starts[i + 1]):
+            a, b, c = xyz(vectors, items[k])
+            x, y, z, total = x + a, y + b, z + c, total + areas[items[k]]
         length = np.sqrt(x * x + y * y + z * z)
         if length <= _CANCELLED * total:
-            x, y, z, length = vectors[t, 0], vectors[t, 1], vectors[t, 2], areas[t]
+            (x, y, z), length = xyz(vectors, t), areas[t]
         factor = 1 / length if length > 0 else 0.0
         set_plane(planes, t, vertices, faces, factor * x, factor * y, factor * z)
 

@@ -6,6 +6,7 @@ import numpy as np
 
 from core.arrays import FloatArray, IntArray
 from core.kernels import parallel_kernel, prange, unsigned
+from core.lanes import xyz
 from core.mesh import TriangleMesh
 from core.mesh.face_rings import FaceRings
 from core.parameters import Params
@@ -28,8 +29,7 @@ def _set_turned_planes(
 ) -> None:
     """Note the plane of each face along the normal of the face `sources` names for it, (n, 4)."""
     for t in prange(len(faces)):
-        source = sources[t]
-        x, y, z = normals[source, 0], normals[source, 1], normals[source, 2]
+        x, y, z = xyz(normals, sources[t])
         set_plane(planes, t, vertices, faces, x, y, z)
 
 

@@ -4,6 +4,7 @@ import numpy as np
 
 from core.arrays import FloatArray, IntArray
 from core.kernels import kernel, parallel_kernel, prange
+from core.lanes import xyz
 from core.smoothing.selection import select
 
 # Faces a thread handles before it needs new tables: enough to make the tables free, few enough to
@@ -46,16 +47,13 @@ def _fill_columns(
     """
     columns[:] = _BELOW_ALL
     for t in range(first, last):
-        column = t - first
-        count = 0
-        for slot, other in enumerate(items[starts[t] : starts[t + 1]]):
-            cosine = (
-                own[t, 0] * normals[other, 0]
-                + own[t, 1] * normals[other, 1]
-                + own[t, 2] * normals[other, 2]
-            )
-            if cosine != 0 or normals[other].any():
-                columns[slot, column] = cosine
+        x, y, z = xyz(own, t)
+        column, count = t - first, 0
+        for k in range(starts[t], starts[t + 1]):
+            a, b, c = xyz(normals, items[k])
+            cosine = x * a + y * b + z * c
+            if cosine != 0 or a != 0 or b != 0 or c != 0:
+                columns[k - starts[t], column] = cosine
                 count += 1
         counts[column] = count
 

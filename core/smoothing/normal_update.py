@@ -3,11 +3,12 @@
 import numpy as np
 
 from core.arrays import FloatArray, IntArray
-from core.kernels import kernel, parallel_kernel, prange
+from core.kernels import fused_kernel, fused_parallel_kernel, kernel, parallel_kernel, prange
+from core.lanes import xyz
 from core.mesh.triangles import triangle_vector
 
 
-@parallel_kernel
+@fused_parallel_kernel
 def fit_vertices(
     vertices: FloatArray,
     starts: IntArray,
@@ -22,35 +23,49 @@ def fit_vertices(
     """
     moved = np.empty_like(vertices)
     for i in prange(len(vertices)):
-        x = y = z = total = 0.0
-        for t in items[starts[i] : starts[i + 1]]:
-            nx, ny, nz = planes[t, 0], planes[t, 1], planes[t, 2]
-            height = planes[t, 3] - (
-                vertices[i, 0] * nx + vertices[i, 1] * ny + vertices[i, 2] * nz
-            )
-            x += areas[t] * height * nx
-            y += areas[t] * height * ny
-            z += areas[t] * height * nz
-            total += areas[t]
+        x, y, z = xyz(vertices, i)
+        dx = dy = dz = total = 0.0
+        for k in range(starts[i], starts[i + 1]):
+            t = items[k]
+            nx, ny, nz, area = planes[t, 0], planes[t, 1], planes[t, 2], areas[t]
+            weight = area * (planes[t, 3] - (x * nx + y * ny + z * nz))
+            dx += weight * nx
+            dy += weight * ny
+            dz += weight * nz
+            total += area
         share = 1 / total if total > 0 else 0.0
-        moved[i, 0] = vertices[i, 0] + share * x
-        moved[i, 1] = vertices[i, 1] + share * y
-        moved[i, 2] = vertices[i, 2] + share * z
+        moved[i, 0], moved[i, 1], moved[i, 2] = x + share * dx, y + share * dy, z + share * dz
     return moved
 
 
-@kernel
+@fused_kernel
 def set_plane(
     planes: FloatArray, t: int, vertices: FloatArray, faces: IntArray, x: float, y: float, z: float
 ) -> None:
     """Note the plane ⟨p, m⟩ = ⟨cₜ, m⟩ through the centroid of face t, with m = (x, y, z)."""
-    i, j, k = faces[t, 0], faces[t, 1], faces[t, 2]
+    ax, ay, az = xyz(vertices, faces[t, 0])
+    bx, by, bz = xyz(vertices, faces[t, 1])
+    cx, cy, cz = xyz(vertices, faces[t, 2])
     planes[t, 0], planes[t, 1], planes[t, 2] = x, y, z
-    planes[t, 3] = (
-        x * (vertices[i, 0] + vertices[j, 0] + vertices[k, 0])
-        + y * (vertices[i, 1] + vertices[j, 1] + vertices[k, 1])
-        + z * (vertices[i, 2] + vertices[j, 2] + vertices[k, 2])
-    ) / 3
+    planes[t, 3] = (x * (ax + bx + cx) + y * (ay + by + cy) + z * (az + bz + cz)) / 3
+
+
+@kernel
+def _set_normal(normals: FloatArray, t: int, vertices: FloatArray, faces: IntArray) -> float:
+    """Note the unit normal of face t, zero where it has no area; returns its double area."""
+    x, y, z = triangle_vector(vertices, faces[t, 0], faces[t, 1], faces[t, 2])
+    length = np.sqrt(x * x + y * y + z * z)
+    factor = 1 / length if length > 0 else 0.0
+    normals[t, 0], normals[t, 1], normals[t, 2] = factor * x, factor * y, factor * z
+    double_area: float = length
+    return double_area
+
+
+@parallel_kernel
+def set_normals(vertices: FloatArray, faces: IntArray, normals: FloatArray) -> None:
+    """Note the unit normal (n, 3) of each face, zero for a face without area."""
+    for t in prange(len(faces)):
+        _set_normal(normals, t, vertices, faces)
 
 
 @parallel_kernel
@@ -59,8 +74,4 @@ def set_areas_and_normals(
 ) -> None:
     """Note area (n,) and unit normal (n, 3) of each face; both zero for a face without area."""
     for t in prange(len(faces)):
-        x, y, z = triangle_vector(vertices, faces[t, 0], faces[t, 1], faces[t, 2])
-        length = np.sqrt(x * x + y * y + z * z)
-        factor = 1 / length if length > 0 else 0.0
-        areas[t] = length / 2
-        normals[t, 0], normals[t, 1], normals[t, 2] = factor * x, factor * y, factor * z
+        areas[t] = _set_normal(normals, t, vertices, faces) / 2

@@ -5,7 +5,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from core.arrays import FloatArray, IntArray
-from core.kernels import parallel_kernel, prange, unsigned
+from core.kernels import fused_parallel_kernel, parallel_kernel, prange, unsigned
+from core.lanes import xyz
 from core.mesh import TriangleMesh
 from core.mesh.triangles import corner_product, triangle_vector
 from core.parameters import Params, param
@@ -56,12 +57,12 @@ def set_edge_weights(
     """Note the weight cot α + cot β of each edge, (e,), from the corners opposite it."""
     for e in prange(len(weights)):
         total = 0.0
-        for corner in corners[starts[e] : starts[e + 1]]:
-            total += cotangents[corner]
+        for k in range(starts[e], starts[e + 1]):
+            total += cotangents[corners[k]]
         weights[e] = max(total, 0.0) if clamp_negative else total
 
 
-@parallel_kernel
+@fused_parallel_kernel
 def _move_to_weighted_mean(
     vertices: FloatArray,
     starts: IntArray,
@@ -72,17 +73,16 @@ def _move_to_weighted_mean(
 ) -> FloatArray:
     moved = np.empty_like(vertices)
     for i in prange(len(vertices)):
-        x = y = z = total = 0.0
-        for slot in range(starts[i], starts[i + 1]):
-            j, weight = items[slot], weights[ring_edges[slot]]
-            x += weight * (vertices[j, 0] - vertices[i, 0])
-            y += weight * (vertices[j, 1] - vertices[i, 1])
-            z += weight * (vertices[j, 2] - vertices[i, 2])
+        x, y, z = xyz(vertices, i)
+        dx = dy = dz = total = 0.0
+        for k in range(starts[i], starts[i + 1]):
+            (a, b, c), weight = xyz(vertices, items[k]), weights[ring_edges[k]]
+            dx += weight * (a - x)
+            dy += weight * (b - y)
+            dz += weight * (c - z)
             total += weight
         share = step / total if total != 0 else 0.0
-        moved[i, 0] = vertices[i, 0] + share * x
-        moved[i, 1] = vertices[i, 1] + share * y
-        moved[i, 2] = vertices[i, 2] + share * z
+        moved[i, 0], moved[i, 1], moved[i, 2] = x + share * dx, y + share * dy, z + share * dz
     return moved
 
 

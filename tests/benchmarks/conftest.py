@@ -61,6 +61,13 @@ class Ruler:
         median = np.median(np.subtract(many, few), axis=0)
         self.note(benchmark, least / (MANY - FEW), median / (MANY - FEW))
 
+    @staticmethod
+    def compare(benchmark, name, call, other, rounds=ROUNDS):
+        """Note how many times as long a call takes as another one, in turns, and as much work."""
+        pairs = [(times_of(call), times_of(other)) for _ in range(rounds)]
+        clock, work = np.divide(*np.median(pairs, axis=0))
+        benchmark.extra_info[f"to {name}"] = f"{clock:.2f} (work {work:.2f})"
+
     def note(self, benchmark, least, median):
         """Note milliseconds, and ratios to the unit of least, median and processor time."""
         unit = np.median(self.units, axis=0)

@@ -12,6 +12,7 @@ from core.lanes import WIDTH, side_by_side
 from core.metrics import METRICS
 from core.noise import add_noise
 from core.smoothing import METHODS, DivergenceGuard
+from core.snapshots import iterations
 from core.study import MethodChoice
 
 
@@ -34,7 +35,7 @@ def test_iteration(benchmark, ruler, noisy, method):
 
 @pytest.fixture
 def snapshots(noisy):
-    """Four iterations, as a run measures them together."""
+    """Eight iterations, as a run measures them together."""
     spec = METHODS["laplacian"]
     return list(islice(spec.steps(noisy, spec.params()), WIDTH))
 
@@ -62,14 +63,21 @@ def test_divergence_guard(benchmark, ruler, noisy):
     ruler.measure(benchmark, lambda: guard.allows(noisy.vertices))
 
 
+def take(steps):
+    """Go on until so many iterations are there as are measured together."""
+    there = 0
+    while there < WIDTH:
+        there += next(steps) is not None
+
+
 @pytest.mark.parametrize("method", list(METHODS))
 def test_iteration_with_errors(benchmark, ruler, comparison, method):
-    """What a run for the plot costs: an iteration, the guard and every metric."""
-    snapshots = comparison.snapshots(MethodChoice(method=method), lambda: 10**6)
+    """What a run for the plot costs: an iteration, the guard and every metric.
 
-    def four():
-        there = 0
-        while there < WIDTH:
-            there += next(snapshots) is not None
-
-    ruler.measure(benchmark, four, of=WIDTH)
+    Also how many times as long it takes as without the metrics, in turns.
+    """
+    choice = MethodChoice(method=method)
+    plain, full = iterations(comparison.noisy, choice), comparison.snapshots(choice, lambda: 10**6)
+    take(plain)
+    ruler.measure(benchmark, lambda: take(full), of=WIDTH)
+    ruler.compare(benchmark, "without errors", lambda: take(full), lambda: take(plain))

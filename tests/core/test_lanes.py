@@ -1,4 +1,4 @@
-"""One mesh or four side by side: by hand, against numpy, and what is refused."""
+"""One mesh or eight side by side: by hand, against numpy, and what is refused."""
 
 import subprocess
 import sys
@@ -8,9 +8,9 @@ import pytest
 from numba.core.errors import TypingError
 
 from core.kernels import Kernel
-from core.lanes import row, set_row, side_by_side, totals, xyz
+from core.lanes import WIDTH, row, set_row, side_by_side, totals, xyz
 
-ROWS = np.array([[1.0, 2.0, 3.0, 4.0], [5.0, 7.0, 11.0, 13.0]])
+ROWS = np.array([[1.0, 2, 3, 4, 6, 8, 9, 10], [5.0, 7, 11, 13, 17, 19, 23, 29]])
 
 
 def compiled(function):
@@ -34,8 +34,8 @@ def calculated(rows, results):
     set_row(results, 6, 0.5)
 
 
-@pytest.mark.parametrize("rows", [ROWS, ROWS[:, 1].copy()], ids=["four", "one"])
-def test_four_are_calculated_as_one_is(rows):
+@pytest.mark.parametrize("rows", [ROWS, ROWS[:, 1].copy()], ids=["eight", "one"])
+def test_eight_are_calculated_as_one_is(rows):
     a, b = rows
     results = np.zeros((8, *rows.shape[1:]))
     calculated(rows, results)
@@ -51,7 +51,7 @@ def set_coordinates(positions, i, results):
     set_row(results, 2, z)
 
 
-@pytest.mark.parametrize("shape", [(2, 3), (2, 3, 4)], ids=["one", "four"])
+@pytest.mark.parametrize("shape", [(2, 3), (2, 3, WIDTH)], ids=["one", "eight"])
 @pytest.mark.parametrize("kind", [np.int64, np.uint32])
 def test_coordinates_of_a_vertex(shape, kind):
     positions = np.arange(float(np.prod(shape))).reshape(shape)
@@ -61,28 +61,28 @@ def test_coordinates_of_a_vertex(shape, kind):
         assert np.array_equal(results, positions[i])
 
 
-@pytest.mark.parametrize("count", [1, 2, 3, 4])
+@pytest.mark.parametrize("count", range(1, WIDTH + 1))
 def test_meshes_side_by_side(count):
     meshes = list(np.random.default_rng(1).normal(size=(count, 5, 3)))
     positions = side_by_side([np.asfortranarray(mesh) for mesh in meshes])
     assert positions.flags.c_contiguous
-    filled = meshes + [meshes[-1]] * (4 - count)
+    filled = meshes + [meshes[-1]] * (WIDTH - count)
     expected = meshes[0] if count == 1 else np.stack(filled, axis=-1)
     assert np.array_equal(positions, expected)
 
 
 def test_totals_do_not_depend_on_what_stands_beside():
-    sums = np.random.default_rng(1).normal(size=(1000, 4))
+    sums = np.random.default_rng(1).normal(size=(1000, WIDTH))
     assert np.array_equal(totals(sums), [totals(column) for column in sums.T])
     assert totals(sums) == pytest.approx(sums.sum(axis=0))
 
 
 @pytest.mark.parametrize(
     "rows",
-    [np.zeros((4, 2)).T, np.zeros((2, 4), np.float32), np.zeros((2, 3, 4))],
+    [np.zeros((WIDTH, 2)).T, np.zeros((2, WIDTH), np.float32), np.zeros((2, 3, WIDTH))],
     ids=["order", "kind", "dimensions"],
 )
-def test_what_does_not_hold_numbers_of_one_or_four_is_refused(rows):
+def test_what_does_not_hold_numbers_of_one_or_eight_is_refused(rows):
     @compiled
     def first(rows):
         set_row(rows, 0, row(rows, 0))

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from core.lanes import side_by_side
+from core.lanes import WIDTH, side_by_side
 from core.metrics import METRICS, metrics_in
 from core.metrics.arctangent import angle_of
 from core.noise import add_noise
@@ -133,10 +133,11 @@ def test_a_mesh_has_the_error_that_it_has_alone_whatever_stands_beside(
     irregular, metric, model_units
 ):
     evaluator = metrics_in(model_units=model_units)[metric].evaluator(irregular)
-    meshes = [irregular.vertices, *(add_noise(irregular, 0.1, seed=k).vertices for k in range(3))]
+    noisy = [add_noise(irregular, 0.1, seed=k).vertices for k in range(WIDTH - 1)]
+    meshes = [irregular.vertices, *noisy]
     alone = [evaluator.value(vertices) for vertices in meshes]
     assert alone[0] == 0
-    for count in (2, 3, 4):
+    for count in range(2, WIDTH + 1):
         values = evaluator.values(side_by_side(meshes[:count]))
         assert values[:count].tolist() == alone[:count]
     assert evaluator.values(side_by_side(meshes[::-1])).tolist() == alone[::-1]
