@@ -32,7 +32,7 @@ def _scaled(positions: FloatArray, origin: FloatArray, roots: FloatArray, i: int
 
 
 @fused_kernel
-def _set_weights(
+def _set_block_weights(
     positions: FloatArray,
     ring: Ring,
     origin: FloatArray,
@@ -95,16 +95,14 @@ def _block_squares(
 
 
 @fused_parallel_kernel
-def _weights(
-    positions: FloatArray, ring: Ring, origin: FloatArray, roots: FloatArray
-) -> FloatArray:
-    """g(|∇vᵢ|) of all vertices, (m,) or (m, 4)."""
+def _set_weights(
+    positions: FloatArray, ring: Ring, origin: FloatArray, roots: FloatArray, weights: FloatArray
+) -> None:
+    """Note g(|∇vᵢ|) of all vertices, (m,) or (m, 8)."""
     m = len(positions)
-    weights = np.empty((m, *positions.shape[2:]))
     for block in prange((m + _BLOCK - 1) // _BLOCK):
         first, last = block * _BLOCK, min((block + 1) * _BLOCK, m)
-        _set_weights(positions, ring, origin, roots, first, last, weights)
-    return weights
+        _set_block_weights(positions, ring, origin, roots, first, last, weights)
 
 
 @fused_kernel
@@ -155,7 +153,9 @@ class VisualErrorEvaluator(Evaluator):
         self._operator = self._diffusion_operator(original.vertices)
 
     def _weights(self, positions: FloatArray) -> FloatArray:
-        weights: FloatArray = _weights(positions, self._ring, self._origin, self._roots)
+        # numpy's memory of a large array comes in large pages, a kernel's in small ones.
+        weights = np.empty((len(positions), *positions.shape[2:]))
+        _set_weights(positions, self._ring, self._origin, self._roots, weights)
         return weights
 
     def _diffusion_operator(self, vertices: FloatArray) -> FloatArray:
