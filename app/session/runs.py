@@ -4,6 +4,7 @@ from collections import OrderedDict
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,11 +12,50 @@ from numpy.typing import NDArray
 from core.arrays import FloatArray
 from core.comparison import Comparison
 from core.smoothing import DivergenceError
-from core.snapshots import Snapshot
 from core.study import MethodChoice
 
 RunKey = tuple[str, str]
 """What a run was computed from: the pair of meshes, and the method with its parameters."""
+
+
+class Kept(NamedTuple):
+    """What is kept of an iteration: its number, its errors, its time, its positions.
+
+    Those are float32, in the order of the file and relative to the centroid of the original.
+    """
+
+    iteration: int
+    errors: dict[str, float]
+    seconds: float
+    position: NDArray[np.float32]
+
+
+def kept_iterations(
+    comparison: Comparison, choice: MethodChoice, wanted: Callable[[], int]
+) -> Iterator[Kept | None]:
+    """Yield what is kept of iteration 1, 2, 3 …; None while there is none yet.
+
+    Positions are brought into the order of the file here, beside the window, which gets many of
+    them at once.
+
+    Raises
+    ------
+    DivergenceError
+        When the run diverges.
+    """
+    centre = _centre(comparison)
+    for snapshot in comparison.snapshots(choice, wanted):
+        if snapshot is None:
+            yield None
+            continue
+        position = (snapshot.along_surface - centre).astype(np.float32)
+        errors, seconds = snapshot.errors, snapshot.seconds
+        yield Kept(snapshot.iteration, errors, seconds, snapshot.numbering.outward(position))
+
+
+def _centre(comparison: Comparison) -> FloatArray:
+    centre: FloatArray = comparison.original.vertices.mean(axis=0)
+    return centre
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,7 +86,7 @@ class Run:
     @classmethod
     def begin(cls, comparison: Comparison) -> "Run":
         """Begin a run with the noisy input."""
-        centre = comparison.original.vertices.mean(axis=0)
+        centre = _centre(comparison)
         start = (comparison.noisy.vertices - centre).astype(np.float32)
         return cls(centre, (start,), (comparison.noisy_errors,))
 
@@ -101,19 +141,20 @@ class Run:
         iteration = int(np.argmin(values))
         return iteration, values[iteration]
 
-    def extended(self, step: Snapshot | DivergenceError, wanted: int = 0) -> "Run":
+    def extended(self, step: Kept | DivergenceError, wanted: int = 0) -> "Run":
         """Return the run with one more iteration, or with the news that it diverged.
 
         Of an iteration that is known, only the snapshot is taken, and only if it is `wanted`.
         """
         if isinstance(step, DivergenceError):
             return replace(self, diverged=step.iteration)
-        position = (step.vertices - self.centre).astype(np.float32)
         if step.iteration <= self.computed:
-            return self._holding(step.iteration, position) if step.iteration == wanted else self
+            return (
+                self._holding(step.iteration, step.position) if step.iteration == wanted else self
+            )
         return replace(
             self,
-            positions=(*self.positions, position),
+            positions=(*self.positions, step.position),
             errors=(*self.errors, step.errors),
             seconds=(*self.seconds, step.seconds),
         )
@@ -131,9 +172,6 @@ class Run:
         return replace(self, positions=(*before, position, *after))
 
 
-Snapshots = Iterator[Snapshot | None]
-
-
 class Source:
     """The worker's end of a run: advances it, and goes on later where it stopped.
 
@@ -142,27 +180,28 @@ class Source:
     Parameters
     ----------
     begin : callable
-        Gets a function that returns the iteration to be reached, and returns the snapshots.
+        Gets a function that returns the iteration to be reached, and returns what
+        :func:`kept_iterations` does.
     """
 
-    def __init__(self, begin: Callable[[Callable[[], int]], Snapshots]) -> None:
+    def __init__(self, begin: Callable[[Callable[[], int]], Iterator[Kept | None]]) -> None:
         self._target: Callable[[], int] = lambda: 0
-        self._snapshots = begin(self._wanted)
+        self._iterations = begin(self._wanted)
         self._reached = 0
         self.ended = False
 
     def _wanted(self) -> int:
         return self._target()
 
-    def advance(self, target: Callable[[], int]) -> Iterator[Snapshot | DivergenceError | None]:
-        """Yield snapshots until the iteration that `target` asks for, which may change.
+    def advance(self, target: Callable[[], int]) -> Iterator[Kept | DivergenceError | None]:
+        """Yield what is kept up to the iteration that `target` asks for, which may change.
 
         None while there is none yet.
         """
         self._target = target
         while not self.ended and self._reached < target():
             try:
-                snapshot = next(self._snapshots)
+                kept = next(self._iterations)
             except DivergenceError as error:
                 self.ended = True
                 yield error
@@ -170,8 +209,8 @@ class Source:
             except Exception:
                 self.ended = True
                 raise
-            self._reached = snapshot.iteration if snapshot else self._reached
-            yield snapshot
+            self._reached = kept.iteration if kept else self._reached
+            yield kept
 
 
 class RunStore:
@@ -200,7 +239,7 @@ class RunStore:
         if key not in self._entries:
             self._entries[key] = (
                 Run.begin(comparison),
-                Source(partial(comparison.snapshots, choice)),
+                Source(partial(kept_iterations, comparison, choice)),
             )
         self._entries.move_to_end(key)
         return self._entries[key]

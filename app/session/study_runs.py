@@ -8,12 +8,11 @@ from psygnal import Signal
 
 from app.session.jobs import Job, Jobs
 from app.session.meshes import Meshes
-from app.session.runs import Run, RunKey, RunStore
+from app.session.runs import Kept, Run, RunKey, RunStore, kept_iterations
 from core.smoothing import METHODS, DivergenceError
-from core.snapshots import Snapshot
 from core.study import MethodChoice, Study
 
-Steps = Iterator[Snapshot | DivergenceError | None]
+Steps = Iterator[Kept | DivergenceError | None]
 
 
 class StudyRuns:
@@ -107,19 +106,19 @@ class StudyRuns:
         if run.computed < choice.iterations and not source.ended:
             self._start(key, choice, source.advance(lambda: self._target(key)))
         elif not run.holds(min(choice.iterations, run.computed)):
-            snapshots = comparison.snapshots(choice, lambda: self._target(key))
-            self._start(key, choice, self._again(key, snapshots))
+            kept = kept_iterations(comparison, choice, lambda: self._target(key))
+            self._start(key, choice, self._again(key, kept))
 
-    def _again(self, key: RunKey, snapshots: Iterator[Snapshot | None]) -> Steps:
-        for snapshot in snapshots:
-            yield snapshot
-            if snapshot and snapshot.iteration >= self._target(key):
+    def _again(self, key: RunKey, iterations: Iterator[Kept | None]) -> Steps:
+        for kept in iterations:
+            yield kept
+            if kept and kept.iteration >= self._target(key):
                 return
 
     def _start(self, key: RunKey, choice: MethodChoice, steps: Steps) -> None:
         reached = 0
 
-        def take(step: Snapshot | DivergenceError) -> None:
+        def take(step: Kept | DivergenceError) -> None:
             nonlocal reached
             reached = step.iteration
             known = self._store.get(key)

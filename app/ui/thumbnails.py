@@ -62,7 +62,7 @@ class Thumbnailer(QObject):
         self._timer.stop()
 
     def _wait(self) -> None:
-        if self._session.meshes is not None and self._missing():
+        if self._session.meshes is not None:
             self._timer.start()
 
     def _missing(self) -> list[Path]:
