@@ -11,7 +11,7 @@ from app.export.pictures import Picture, shot, unmix
 from app.export.skeleton_pictures import studio
 from app.scene.camera import CameraPose
 from app.scene.colours import Theme
-from app.scene.panes import Look
+from app.scene.panes import NO_FACES, Look
 from app.scene.skeleton_colours import BAND_MAP
 from app.scene.skeleton_grid import SkeletonGrid
 from app.scene.skeleton_panes import SkeletonLook, SkeletonPane
@@ -20,7 +20,6 @@ _SCALE = "band / R"
 # With no-break spaces: "R = 22" stays on one line.
 _EQUALS = "\u00a0=\u00a0"
 _GROWN = (0.25, 0.5, 0.75)
-_NO_FACES = np.zeros((0, 3), np.int32)
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,7 +67,7 @@ class SkeletonSource:
         """Return the colours and the scale of the bands, which all pictures share."""
         coloured = any(shown.look.settings.show_bands for shown in self.panes)
         return Look(
-            _NO_FACES, self.theme, colour_title=_SCALE if coloured else "", colour_map=BAND_MAP
+            NO_FACES, self.theme, colour_title=_SCALE if coloured else "", colour_map=BAND_MAP
         )
 
     def entries(self) -> tuple[Entry, ...]:

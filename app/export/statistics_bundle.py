@@ -103,7 +103,7 @@ def statistics_figure(name: str, picture: Picture, series: Series) -> Figure:
 def model_pieces(mesh: TriangleMesh) -> Iterator[Picture | None]:
     """Draw a mesh with its edges where there are few enough to tell apart, step by step."""
     points = (mesh.vertices - mesh.vertices.mean(axis=0)).astype("float32")
-    look = Look(faces=mesh.faces, text_scale=1.0)
+    look = Look(mesh.topology, text_scale=1.0)
     pane = Pane("original", "", "", ORIGINAL_COLOUR, points)
     return grid_pieces([pane], look, None, _PICTURE_SIZE)
 

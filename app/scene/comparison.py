@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from app.scene.colouring import colour_map, colour_range, shares_between
 from app.scene.colours import LIGHT, NOISY_COLOUR, ORIGINAL_COLOUR, Theme, method_colour
 from app.scene.grid import CAPACITY
-from app.scene.panes import Look, Pane, Points
+from app.scene.panes import NO_FACES, Look, Pane, Points
 from app.session import Meshes, Run, Session
 from core.arrays import FloatArray
 from core.comparison import Comparison, MethodResult, StudyResult
@@ -72,7 +72,7 @@ def build_look(
     ends = colour_range(study.view, panes)
     with_histogram = metric is not None and study.view.histogram
     return Look(
-        faces=comparison.original.faces,
+        topology=comparison.original.topology,
         theme=theme,
         smooth=study.view.smooth_shading,
         edges=study.view.edges,
@@ -111,7 +111,7 @@ class ComparisonScene:
         """How the panes of the current study are drawn."""
         meshes = self._session.meshes
         if meshes is None:
-            return Look(np.zeros((0, 3), np.int32), theme)
+            return Look(NO_FACES, theme)
         study = self._session.study
         return build_look(study, meshes.comparison, panes, theme, scale, selected)
 

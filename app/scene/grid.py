@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pyvista as pv
-from vtkmodules.vtkCommonDataModel import vtkCellArray
+from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.scene.camera import CameraPose, preset_pose
 from app.scene.clipping import SteadyBox
@@ -14,9 +14,10 @@ from app.scene.due import Seen
 from app.scene.layout import Viewport, tile
 from app.scene.pane_slot import PaneSlot
 from app.scene.panes import Look, Pane
-from app.scene.surface import cell_array, lookup_table
+from app.scene.parts import Part, parts_of
+from app.scene.surface import lookup_table
 from app.scene.swipe import Swipe, SwipeLayer
-from core.arrays import IntArray
+from core.mesh.topology import Topology
 
 CAPACITY = 9
 GRID_SHAPE = (2, 5)
@@ -49,7 +50,7 @@ class PaneGrid:
         self._scale: tuple[object, ...] = ()
         self._bar_version = 0
         self._box = SteadyBox()
-        self._cells: tuple[IntArray, vtkCellArray] | None = None
+        self._parts: tuple[Topology, tuple[Part, ...]] | None = None
         self._panes: list[Pane] = []
         self._look: Look | None = None
         self._linked = True
@@ -62,25 +63,30 @@ class PaneGrid:
         self._arrange(look, size)
         table = lookup_table(look.colour_range, look.colour_map)
         self._show_bar(look, table)
-        cells = self._shared_cells(look.faces)
+        parts = self._shared_parts(look.topology)
         for slot, pane in zip(self._slots, self._panes, strict=False):
             if pane.id in self.viewports:
                 width, height = self.viewports[pane.id].pixels(*size)[2:]
                 mark = look.selected if look.selected == pane.id else None
                 room = width / (1 + bool(self.swipe)), height
-                slot.show(pane, replace(look, selected=mark, histogram=None), cells, table, room)
-        self._show_swipe(look, cells, table, size)
+                slot.show(pane, replace(look, selected=mark, histogram=None), parts, table, room)
+        self._show_swipe(look, parts, table, size)
 
     def seen(self) -> list[Seen]:
         """Return what the window shows, for whoever draws only what is new."""
         views = [
-            Seen((slot.renderer,), slot.version)
+            Seen((slot.renderer,), slot.version, self._parts_in(pane.id, slot))
             for slot, pane in zip(self._slots, self._panes, strict=False)
             if pane.id in self.viewports
         ]
         if self._bar_renderer.GetViewport() != _NOWHERE:
             views.append(Seen((self._bar_renderer,), self._bar_version))
         return views
+
+    def _parts_in(self, pane: str, slot: PaneSlot) -> list[vtkActor]:
+        """Parts of the meshes in a pane: of two where a line parts it."""
+        other = self._swiped.surface.part_actors if self.swipe and self.swipe.left == pane else []
+        return slot.surface.part_actors + other
 
     def set_ground(self, bottom: str, top: str | None) -> None:
         """Colour the background, with a gradient if `top` is given."""
@@ -182,10 +188,10 @@ class PaneGrid:
         # Else PyVista chooses a view of its own at the first picture.
         renderer.camera.is_set = True
 
-    def _shared_cells(self, faces: IntArray) -> vtkCellArray:
-        if self._cells is None or self._cells[0] is not faces:
-            self._cells = faces, cell_array(faces)
-        return self._cells[1]
+    def _shared_parts(self, topology: Topology) -> tuple[Part, ...]:
+        if self._parts is None or self._parts[0] is not topology:
+            self._parts = topology, parts_of(topology)
+        return self._parts[1]
 
     def _arrange(self, look: Look, size: tuple[int, int]) -> None:
         """Give each shown pane its viewport; the others get none."""
@@ -222,7 +228,7 @@ class PaneGrid:
             self._bar.show(look, table)
 
     def _show_swipe(
-        self, look: Look, cells: vtkCellArray, table: pv.LookupTable, size: tuple[int, int]
+        self, look: Look, parts: tuple[Part, ...], table: pv.LookupTable, size: tuple[int, int]
     ) -> None:
         if self.swipe is None:
             self._swiped.hide()
@@ -232,5 +238,5 @@ class PaneGrid:
         self._slots[left].version += 1
         self._swiped.show(
             self._renderers[left], self._slots[left].surface, self.swipe, self._panes[right],
-            look, cells, table, pixels,
+            look, parts, table, pixels,
         )  # fmt: skip

@@ -4,11 +4,11 @@ from dataclasses import fields
 
 import numpy as np
 import pyvista as pv
-from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 from app.scene.caption import Caption
 from app.scene.marks import Marks
 from app.scene.panes import Look, Pane
+from app.scene.parts import Part
 from app.scene.surface import SurfaceActor
 
 
@@ -35,7 +35,7 @@ class PaneSlot:
         self.caption.add_to(renderer)
 
     def show(
-        self, pane: Pane, look: Look, cells: vtkCellArray, table: pv.LookupTable,
+        self, pane: Pane, look: Look, parts: tuple[Part, ...], table: pv.LookupTable,
         size: tuple[float, float],
     ) -> None:  # fmt: skip
         """Draw a pane; `size` is the width that its text has, and the height of its viewport."""
@@ -43,7 +43,7 @@ class PaneSlot:
             return
         self.version += 1
         self._pane, self._look, self._size = pane, look, size
-        self.surface.show(pane, look, cells, table)
+        self.surface.show(pane, look, parts, table)
         self._marks.show(pane, look)
         self.caption.show(pane, look, size[1], width=size[0])
         self._frame(look, selected=look.selected == pane.id)

@@ -8,8 +8,12 @@ from numpy.typing import NDArray
 
 from app.scene.colours import LIGHT, Theme
 from core.arrays import FloatArray, IntArray
+from core.mesh.topology import Topology
 
 Points = NDArray[np.float32]
+
+NO_FACES = Topology(np.zeros((0, 3), np.int32), 0)
+"""Connectivity where there is no mesh yet."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,8 +51,8 @@ class Look:
 
     Attributes
     ----------
-    faces : (n, 3) int32 ndarray
-        Faces that the meshes of all panes share.
+    topology : Topology
+        Connectivity that the meshes of all panes share.
     theme : Theme
         Colours.
     smooth, edges : bool
@@ -73,7 +77,7 @@ class Look:
         Vertices that are pointed out with dots.
     """
 
-    faces: IntArray
+    topology: Topology
     theme: Theme = LIGHT
     smooth: bool = True
     edges: bool = False
@@ -87,6 +91,11 @@ class Look:
     selected: str | None = None
     text_scale: float = 1.0
     marks: NDArray[np.int64] | None = None
+
+    @property
+    def faces(self) -> IntArray:
+        """Faces of all meshes, (n, 3)."""
+        return self.topology.faces
 
 
 def shared_range(panes: list[Pane]) -> tuple[float, float]:

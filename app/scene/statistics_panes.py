@@ -7,7 +7,7 @@ import numpy as np
 
 from app.scene.caption import PART_GAP
 from app.scene.colours import Theme
-from app.scene.panes import Look, Pane, Points
+from app.scene.panes import NO_FACES, Look, Pane, Points
 from app.scene.statistics_scene import ModelPane
 from app.scene.unit_ball import UnitFrame, unit_points
 from core.arrays import FloatArray
@@ -55,7 +55,7 @@ class PaneMaker:
         pane = Pane(
             str(place), model.name, numbers if alone else "", model.colour, known[1], values
         )
-        return ModelPane(pane, model.mesh.faces, known[2])
+        return ModelPane(pane, model.mesh.topology, known[2])
 
 
 def colour_look(models: Sequence[ShownModel], title: str, theme: Theme, text_scale: float) -> Look:
@@ -66,7 +66,7 @@ def colour_look(models: Sequence[ShownModel], title: str, theme: Theme, text_sca
     whole = np.concatenate(known) if known else np.zeros(0)
     ends = (float(whole.min()), float(np.percentile(whole, 99.9))) if len(whole) else (0.0, 1.0)
     return Look(
-        faces=np.zeros((0, 3), np.int32),
+        topology=NO_FACES,
         theme=theme,
         colour_title=title if len(whole) else "",
         colour_range=ends if ends[0] < ends[1] else (ends[0], ends[0] + 1),

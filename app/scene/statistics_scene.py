@@ -6,7 +6,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 import pyvista as pv
 from numpy.typing import NDArray
-from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 from app.scene.camera import CameraPose, distance_to, preset_pose
 from app.scene.caption import Caption
@@ -14,9 +13,11 @@ from app.scene.colour_bar import ColourBar
 from app.scene.layout import Viewport, tile
 from app.scene.panes import Look, Pane
 from app.scene.parted_camera import PartedCamera, parted
-from app.scene.surface import SurfaceActor, cell_array, lookup_table
+from app.scene.parts import Part, parts_of
+from app.scene.surface import SurfaceActor, lookup_table
 from app.scene.unit_ball import UnitFrame
-from core.arrays import BoolArray, FloatArray, IntArray
+from core.arrays import BoolArray, FloatArray
+from core.mesh.topology import Topology
 
 CAPACITY = 2
 SCENE_SHAPE = (1, 3)
@@ -37,14 +38,14 @@ class ModelPane:
     ----------
     pane : Pane
         Title, points scaled to the unit ball, and the values that colour it.
-    faces : (n, 3) int32 ndarray
-        Its faces.
+    topology : Topology
+        Its connectivity.
     frame : UnitFrame
         How its points were scaled.
     """
 
     pane: Pane
-    faces: IntArray
+    topology: Topology
     frame: UnitFrame
 
 
@@ -63,7 +64,7 @@ class StatisticsScene:
         self._surfaces = [SurfaceActor() for _ in self._renderers]
         self._captions = [Caption() for _ in self._renderers]
         self._lights = [_Lights() for _ in self._renderers]
-        self._cells: list[tuple[IntArray, vtkCellArray] | None] = [None] * CAPACITY
+        self._parts: list[tuple[Topology, tuple[Part, ...]] | None] = [None] * CAPACITY
         self._bar = ColourBar()
         self._bar.add_to(self._bar_renderer)
         self._panes: list[ModelPane] = []
@@ -86,9 +87,9 @@ class StatisticsScene:
         table = lookup_table(look.colour_range)
         self._bar.show(look, table)
         for place, shown in enumerate(self._panes):
-            look_here = replace(look, faces=shown.faces)
-            cells = self._shared_cells(place, shown.faces)
-            self._surfaces[place].show(shown.pane, look_here, cells, table)
+            look_here = replace(look, topology=shown.topology)
+            parts = self._parts_of(place, shown.topology)
+            self._surfaces[place].show(shown.pane, look_here, parts, table)
             width, height = self.viewports[place].pixels(*size)[2:]
             self._captions[place].show(shown.pane, look_here, height, width=width)
             self._lights[place].set_look(look)
@@ -188,10 +189,10 @@ class StatisticsScene:
             # Else PyVista chooses a view of its own at the first picture.
             renderer.camera.is_set = True
 
-    def _shared_cells(self, place: int, faces: IntArray) -> vtkCellArray:
-        known = self._cells[place]
-        if known is None or known[0] is not faces:
-            known = self._cells[place] = faces, cell_array(faces)
+    def _parts_of(self, place: int, topology: Topology) -> tuple[Part, ...]:
+        known = self._parts[place]
+        if known is None or known[0] is not topology:
+            known = self._parts[place] = topology, parts_of(topology)
         return known[1]
 
 

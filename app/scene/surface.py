@@ -1,22 +1,16 @@
-"""A triangle mesh as an actor whose points and colours change in place."""
+"""A triangle mesh as a prop whose points and colours change in place."""
 
 import numpy as np
 import pyvista as pv
 from numpy.typing import NDArray
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkRenderingCore import vtkPolyDataMapper
+from vtkmodules.vtkCommonDataModel import vtkPlane, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkActor, vtkAssembly, vtkPolyDataMapper
 
 from app.scene.live_array import LiveArray
 from app.scene.panes import Look, Pane, Points
-from core.arrays import IntArray
+from app.scene.parts import Part
 from core.mesh.geometry import shading_normals
-
-
-def cell_array(faces: IntArray) -> vtkCellArray:
-    """Faces in VTK's form, to be shared by all meshes that have them."""
-    polygons: vtkCellArray = pv.CellArray.from_regular_cells(faces)
-    return polygons
 
 
 def lookup_table(colour_range: tuple[float, float], colour_map: str = "viridis") -> pv.LookupTable:
@@ -31,64 +25,113 @@ class SurfaceActor:
 
     Drawing it again with other points costs no more than copying them: nothing is removed from
     or added to the renderer.
+
+    Attributes
+    ----------
+    actor : vtkAssembly
+        What a renderer draws.
     """
 
     def __init__(self) -> None:
-        self._mesh = vtkPolyData()
-        self._faces: IntArray | None = None
-        self._points = LiveArray((0, 3), "points")
-        self._normals = LiveArray((0, 3), "normals")
-        self._values = LiveArray((0,), "error")
+        self.actor = vtkAssembly()
+        self._parts: tuple[Part, ...] = ()
+        self._drawn: list[_DrawnPart] = []
         self._shown: tuple[Points | None, bool] = (None, False)
-        self._mapper = vtkPolyDataMapper()
-        self._mapper.ScalarVisibilityOff()
-        self.actor = pv.Actor()
-        self.actor.SetMapper(self._mapper)
-        self.actor.prop.specular = 0.15
-        self.actor.prop.specular_power = 20
-        self.actor.prop.ambient = 0.12
+        self._plane: vtkPlane | None = None
+        self._prop = pv.Property(specular=0.15, specular_power=20, ambient=0.12)
 
-    def show(self, pane: Pane, look: Look, cells: vtkCellArray, table: pv.LookupTable) -> None:
-        """Draw a pane's mesh."""
-        if self._faces is not look.faces:
-            self._begin(len(pane.points), cells)
-            self._faces = look.faces
+    @property
+    def part_actors(self) -> list[vtkActor]:
+        """Actors of the parts, which together are the mesh."""
+        return [part.actor for part in self._drawn]
+
+    def show(self, pane: Pane, look: Look, parts: tuple[Part, ...], table: pv.LookupTable) -> None:
+        """Draw a pane's mesh, which has these parts."""
+        if self._parts is not parts:
+            self._begin(parts)
         if self._shown[0] is not pane.points or self._shown[1] != look.smooth:
             self._move(pane.points, look)
             self._shown = (pane.points, look.smooth)
-        self._colour(pane.values, look, table)
+        values = pane.values if look.colour_title else None
+        for part in self._drawn:
+            part.colour(values, look, table)
         self._style(look)
 
-    def _begin(self, count: int, cells: vtkCellArray) -> None:
+    def cut(self, plane: vtkPlane | None) -> None:
+        """Draw only what is on the inner side of a plane; None: all."""
+        self._plane = plane
+        for actor in self.part_actors:
+            actor.GetMapper().RemoveAllClippingPlanes()
+            if plane is not None:
+                actor.GetMapper().AddClippingPlane(plane)
+
+    def _begin(self, parts: tuple[Part, ...]) -> None:
         """Start a mesh with other faces."""
+        for actor in self.part_actors:
+            self.actor.RemovePart(actor)
+        self._parts = parts
+        self._drawn = [_DrawnPart(part, self._prop) for part in parts]
+        for actor in self.part_actors:
+            self.actor.AddPart(actor)
+        self._shown = (None, False)
+        self.cut(self._plane)
+
+    def _move(self, points: Points, look: Look) -> None:
+        normals = None
+        if look.smooth:
+            normals = shading_normals(points.astype(np.float64), look.faces)
+        for part in self._drawn:
+            part.move(points, normals)
+
+    def _style(self, look: Look) -> None:
+        self._prop.color = look.theme.surface
+        self._prop.interpolation = "Gouraud" if look.smooth else "Flat"
+        self._prop.show_edges = look.edges
+        self._prop.edge_color = look.theme.ink
+        self._prop.edge_opacity = 0.35
+        self._prop.line_width = 0.6 * look.text_scale
+
+
+class _DrawnPart:
+    """A part of a mesh with arrays of its own."""
+
+    def __init__(self, part: Part, prop: pv.Property) -> None:
+        self._part = part
+        count = len(part.vertices)
         self._points, self._normals = LiveArray((count, 3), "points"), LiveArray((count, 3), "n")
+        self._values = LiveArray((0,), "error")
         points = vtkPoints()
         points.SetData(self._points.vtk)
         self._mesh = vtkPolyData()
         self._mesh.SetPoints(points)
-        self._mesh.SetPolys(cells)
+        self._mesh.SetPolys(part.cells)
+        self._mapper = vtkPolyDataMapper()
+        self._mapper.ScalarVisibilityOff()
         self._mapper.SetInputData(self._mesh)
-        self._shown = (None, False)
+        self.actor = vtkActor()
+        self.actor.SetMapper(self._mapper)
+        self.actor.SetProperty(prop)
 
-    def _move(self, points: Points, look: Look) -> None:
-        self._points.write(points)
+    def move(self, points: Points, normals: NDArray[np.float64] | None) -> None:
+        """Take positions, and normals of smooth shading, from those of the whole mesh."""
+        self._points.write(points[self._part.vertices])
         self._mesh.GetPoints().Modified()
         data = self._mesh.GetPointData()
-        data.SetNormals(self._normals.vtk if look.smooth else None)
-        if look.smooth:
-            self._normals.write(shading_normals(points.astype(np.float64), look.faces))
+        data.SetNormals(None if normals is None else self._normals.vtk)
+        if normals is not None:
+            self._normals.write(normals[self._part.vertices])
         self._mesh.Modified()
 
-    def _colour(
-        self, values: NDArray[np.float64] | None, look: Look, table: pv.LookupTable
-    ) -> None:
-        if values is None or not look.colour_title:
+    def colour(self, values: NDArray[np.float64] | None, look: Look, table: pv.LookupTable) -> None:
+        """Colour it by values of the whole mesh; None: not by values."""
+        if values is None:
             self._mapper.ScalarVisibilityOff()
             return
-        if self._values.rows != len(values):
-            self._values = LiveArray((len(values),), "error")
-        self._values.write(values)
         on_vertices = look.values_on == "vertex"
+        chosen = values[self._part.vertices if on_vertices else self._part.faces]
+        if self._values.rows != len(chosen):
+            self._values = LiveArray((len(chosen),), "error")
+        self._values.write(chosen)
         self._mesh.GetPointData().SetScalars(self._values.vtk if on_vertices else None)
         self._mesh.GetCellData().SetScalars(None if on_vertices else self._values.vtk)
         if on_vertices:
@@ -98,12 +141,3 @@ class SurfaceActor:
         self._mapper.SetLookupTable(table)
         self._mapper.SetScalarRange(table.scalar_range)
         self._mapper.ScalarVisibilityOn()
-
-    def _style(self, look: Look) -> None:
-        prop = self.actor.prop
-        prop.color = look.theme.surface
-        prop.interpolation = "Gouraud" if look.smooth else "Flat"
-        prop.show_edges = look.edges
-        prop.edge_color = look.theme.ink
-        prop.edge_opacity = 0.35
-        prop.line_width = 0.6 * look.text_scale

@@ -8,12 +8,13 @@ from dataclasses import dataclass
 
 import numpy as np
 import pyvista as pv
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane
+from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkRenderingCore import vtkActor2D, vtkCamera, vtkCoordinate, vtkPolyDataMapper2D
 
 from app.scene.camera import point_on_focal_plane
 from app.scene.caption import Caption
 from app.scene.panes import Look, Pane
+from app.scene.parts import Part
 from app.scene.surface import SurfaceActor
 from core.arrays import FloatArray
 
@@ -67,14 +68,14 @@ class SwipeLayer:
 
     def show(
         self, renderer: pv.Renderer, left: SurfaceActor, swipe: Swipe, pane: Pane, look: Look,
-        cells: vtkCellArray, table: pv.LookupTable, size: tuple[float, float],
+        parts: tuple[Part, ...], table: pv.LookupTable, size: tuple[float, float],
     ) -> None:  # fmt: skip
         """Draw the right pane into the renderer of the left one, `size` pixels large."""
         if renderer is not self._renderer:
             self.hide()
             self._attach(renderer, left)
         self._share = swipe.share
-        self.surface.show(pane, look, cells, table)
+        self.surface.show(pane, look, parts, table)
         self._caption.show(pane, look, size[1], right=size[0], width=size[0] / 2)
         self._line.show(swipe.share, look)
         self.cut(size[0] / max(size[1], 1))
@@ -93,8 +94,8 @@ class SwipeLayer:
         """Leave the left pane whole again."""
         if self._renderer is None or self._left is None:
             return
-        self._left.actor.mapper.RemoveAllClippingPlanes()
-        self.surface.actor.mapper.RemoveAllClippingPlanes()
+        self._left.cut(None)
+        self.surface.cut(None)
         self._renderer.RemoveActor(self.surface.actor)
         self._renderer.RemoveViewProp(self._line.actor)
         self._caption.remove_from(self._renderer)
@@ -103,7 +104,7 @@ class SwipeLayer:
     def _attach(self, renderer: pv.Renderer, left: SurfaceActor) -> None:
         self._renderer, self._left = renderer, left
         for surface, plane in zip((left, self.surface), self._planes, strict=True):
-            surface.actor.mapper.AddClippingPlane(plane)
+            surface.cut(plane)
         renderer.AddActor(self.surface.actor)
         renderer.AddViewProp(self._line.actor)
         self._caption.add_to(renderer)

@@ -20,7 +20,7 @@ from core.mesh import primitives
 BALL = primitives.sphere(2)
 POINTS = BALL.vertices.astype(np.float32)
 CELLS = tuple(Cell(id_, id_.title()) for id_ in ("original", "noisy", "mean", "median"))
-SOURCE = Source(tuple(Pane(c.pane, "", "", "#000000", POINTS) for c in CELLS), Look(BALL.faces))
+SOURCE = Source(tuple(Pane(c.pane, "", "", "#000000", POINTS) for c in CELLS), Look(BALL.topology))
 MONTAGE = Montage(CELLS, columns=3, width=9, dpi=60)
 
 
@@ -82,7 +82,7 @@ def test_the_grounds():
         for ground, source in (
             ("white", SOURCE),
             ("transparent", SOURCE),
-            ("theme", replace(SOURCE, look=Look(BALL.faces, theme=DARK))),
+            ("theme", replace(SOURCE, look=Look(BALL.topology, theme=DARK))),
         )
     )
     assert tuple(white[1, 1]) == (255, 255, 255, 255)

@@ -42,14 +42,14 @@ def test_unmix_recovers_colour_and_alpha():
 
 
 def test_a_picture_shows_the_model_on_its_ground():
-    picture = grid_picture([pane()], Look(BALL.faces, DARK), None, SIZE)
+    picture = grid_picture([pane()], Look(BALL.topology, DARK), None, SIZE)
     assert picture.shape == (300, 400, 3)
     centre, corner = picture[150, 200].astype(int), picture[295, 5].astype(int)
     assert centre.mean() > corner.mean() + 40
 
 
 def test_a_transparent_picture_composes_over_any_ground():
-    look = Look(BALL.faces)
+    look = Look(BALL.topology)
     clear = grid_picture([pane()], look, None, SIZE, transparent=True).astype(float)
     solid = grid_picture([pane()], look, None, SIZE)
     assert clear[5, 390, 3] == 0
@@ -58,7 +58,7 @@ def test_a_transparent_picture_composes_over_any_ground():
 
 
 def test_twice_the_size_is_the_same_picture_twice_as_large():
-    look, poses = Look(BALL.faces), [CameraPose((0, 0, 6), (0, 0, 0), (0, 1, 0))]
+    look, poses = Look(BALL.topology), [CameraPose((0, 0, 6), (0, 0, 0), (0, 1, 0))]
     small = grid_picture([pane()], look, poses, SIZE)
     large = grid_picture([pane()], scaled(look, 2), poses, (800, 600))
     shrunk = large.reshape(300, 2, 400, 2, 3).mean(axis=(1, 3))
@@ -72,7 +72,7 @@ def test_panes_share_one_colour_range_that_one_wild_pane_cannot_spoil():
 
 
 def test_values_colour_the_mesh_and_add_a_bar():
-    look = Look(BALL.faces, colour_title="Error", colour_range=(0, 1))
+    look = Look(BALL.topology, colour_title="Error", colour_range=(0, 1))
     ones = np.ones(len(POINTS))
     low = grid_picture([pane(values=0 * ones)], look, None, SIZE)
     high = grid_picture([pane(values=ones)], look, None, SIZE)
@@ -91,7 +91,7 @@ def test_a_picture_that_cannot_be_written_is_one_sentence(tmp_path):
 @pytest.mark.parametrize("transparent", [False, True])
 def test_panes_drawn_one_a_step_are_the_panes_drawn_at_once(transparent):
     panes = [pane(id_, title=id_.title()) for id_ in ("mean", "median", "laplacian")]
-    look = replace(Look(BALL.faces, DARK), selected="median")
+    look = replace(Look(BALL.topology, DARK), selected="median")
     pieces = list(grid_pieces(panes, look, None, SIZE, transparent=transparent))
     assert len(pieces) >= 5
     plotter = pv.Plotter(shape=GRID_SHAPE, border=False, off_screen=True, window_size=list(SIZE))

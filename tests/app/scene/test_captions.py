@@ -64,7 +64,7 @@ def test_a_caption_can_be_read_over_every_colour_of_a_heat_map(plotter, theme, v
     points = BALL.vertices.astype(np.float32)
     values = np.full(len(points), value)
     pane = Pane("p", "Title", "k = 18   D = 0.00243", "#009e73", points, values, warning)
-    grid.show([pane], Look(BALL.faces, theme, colour_title="Distance", bar=False), SIZE)
+    grid.show([pane], Look(BALL.topology, theme, colour_title="Distance", bar=False), SIZE)
     grid.look_from("Front (+Z)")
     grid.renderer("p").GetActiveCamera().Zoom(5)  # now the mesh lies below all of the text
     ink = grid._slots[0].caption._caption.prop.color.hex_rgb

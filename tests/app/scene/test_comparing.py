@@ -63,7 +63,7 @@ def test_each_side_of_the_line_shows_its_own_mesh():
     size = (400, 400)
     small = Pane("noisy", "", "", "#000000", POINTS, np.zeros(len(POINTS)))
     other = Pane("mean", "", "", "#000000", POINTS, np.ones(len(POINTS)))
-    look = Look(BALL.faces, colour_title="Error", bar=False, framed=False)
+    look = Look(BALL.topology, colour_title="Error", bar=False, framed=False)
     prefer_headless_graphics()
     plotter = pv.Plotter(shape=GRID_SHAPE, border=False, off_screen=True, window_size=list(size))
     grid = PaneGrid(plotter)

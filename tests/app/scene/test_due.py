@@ -5,6 +5,7 @@ import pytest
 import pyvista as pv
 
 from app.export.pictures import _pixels, prefer_headless_graphics
+from app.scene import parts
 from app.scene.colours import DARK
 from app.scene.due import Due
 from app.scene.grid import GRID_SHAPE, PaneGrid
@@ -34,7 +35,7 @@ class Board:
         self.window.AddObserver("StartEvent", self._begin)
         self.window.AddObserver("EndEvent", lambda *_: self.due.end())
         self.panes = {name: Pane(name, name, "", "#009e73", POINTS) for name in NAMES}
-        self.look = Look(BALL.faces)
+        self.look = Look(BALL.topology)
         self.show()
         self.grid.look_from("Oblique")
         self.window.Render()
@@ -59,6 +60,14 @@ class Board:
         self.window.Render()
         return self.drawn[-1]
 
+    def draw_singly(self):
+        """Draw what is due one by one, then show it."""
+        while self.due.draw_one() and not self.due.is_complete:
+            pass
+        steps = list(self.drawn)
+        assert self.draw() == []
+        self.drawn = steps
+
     def is_whole(self):
         """Whether the picture is the one that drawing everything gives."""
         shown = _pixels(self.window)
@@ -67,9 +76,11 @@ class Board:
         return np.array_equal(shown, _pixels(self.window)) and shown.std() > 10
 
 
-@pytest.fixture
-def board():
+@pytest.fixture(params=[1, 3], ids=["whole", "in parts"])
+def board(request, monkeypatch):
+    monkeypatch.setattr(parts, "_FACES", -(-len(BALL.faces) // request.param))
     board = Board()
+    board.parts = request.param
     yield board
     board.plotter.close()
 
@@ -125,17 +136,17 @@ def test_a_new_range_of_colours_draws_panes_and_bar(board):
     for name in NAMES:
         board.panes[name] = Pane(name, name, "", "#009e73", POINTS, values)
     for end in (1.0, 0.5):
-        board.look = Look(BALL.faces, colour_title="Distance", colour_range=(0.0, end))
+        board.look = Look(BALL.topology, colour_title="Distance", colour_range=(0.0, end))
         board.show()
         assert board.draw() == [*NAMES, "bar"]
-    board.look = Look(BALL.faces, colour_title="Distance", colour_range=(0.0, 0.5), selected="b")
+    board.look = Look(BALL.topology, colour_title="Distance", colour_range=(0.0, 0.5), selected="b")
     board.show()
     assert board.draw() == ["b"]
     assert board.is_whole()
 
 
 def test_another_theme_or_size_draws_everything(board):
-    board.look = Look(BALL.faces, DARK)
+    board.look = Look(BALL.topology, DARK)
     board.grid.set_ground(DARK.ground, DARK.ground_top)
     board.show()
     assert board.draw() == list(NAMES)
@@ -151,11 +162,38 @@ def test_one_pane_at_a_time_is_drawn_behind_what_is_shown(board):
     board.window.AddObserver("EndEvent", lambda *_: shown.append(board.window.GetSwapBuffers()))
     while board.due.draw_one() and not board.due.is_complete:
         pass
-    assert board.drawn == [["a"], ["b"], ["c"]]
+    assert board.drawn == [[name] for name in NAMES for _ in range(board.parts)]
     assert not any(shown)
     assert not board.due.draw_one()
     assert board.draw() == []
     assert shown[-1]
+    assert board.is_whole()
+
+
+def test_a_mesh_that_changes_meanwhile_is_drawn_from_its_first_part_on(board):
+    board.show(b=POINTS * np.float32([1, 0.5, 1]))
+    assert board.due.draw_one()
+    board.show(b=POINTS * np.float32([0.5, 1, 1]))
+    board.drawn.clear()
+    board.draw_singly()
+    assert board.drawn == [["b"]] * board.parts
+    assert board.is_whole()
+
+
+def test_parts_of_both_meshes_beside_a_line_are_drawn(board):
+    board.grid.swipe = Swipe("a", "c", 0.4)
+    board.show(c=POINTS * np.float32([1, 1, 0.5]))
+    board.drawn.clear()
+    board.draw_singly()
+    assert board.drawn == [["a"]] * 2 * board.parts
+    assert board.is_whole()
+
+
+def test_pixels_lost_between_parts_are_drawn_again(board):
+    board.show(b=POINTS * np.float32([1, 0.5, 1]))
+    assert board.due.draw_one()
+    board.due.forget()
+    board.draw_singly()
     assert board.is_whole()
 
 

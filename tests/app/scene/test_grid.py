@@ -40,7 +40,7 @@ def census():
 
 def test_drawing_a_hundred_times_leaves_nothing_behind(grid):
     def draw(step):
-        grid.show(panes(step), Look(BALL.faces, colour_title="x"), SIZE)
+        grid.show(panes(step), Look(BALL.topology, colour_title="x"), SIZE)
         grid.plotter.render()
 
     draw(0)
@@ -53,22 +53,22 @@ def test_drawing_a_hundred_times_leaves_nothing_behind(grid):
 
 
 def test_more_panes_than_there_is_room_for_are_left_out(grid):
-    grid.show(panes(0, CAPACITY + 2), Look(BALL.faces), SIZE)
+    grid.show(panes(0, CAPACITY + 2), Look(BALL.topology), SIZE)
     assert len(grid.viewports) == CAPACITY
 
 
 def test_other_faces_are_drawn_where_the_model_changes(grid):
-    grid.show(panes(0), Look(BALL.faces), SIZE)
+    grid.show(panes(0), Look(BALL.topology), SIZE)
     torus = primitives.torus()
     pane = Pane("p0", "", "", "#009e73", torus.vertices.astype(np.float32))
-    grid.show([pane], Look(torus.faces), SIZE)
+    grid.show([pane], Look(torus.topology), SIZE)
     grid.look_from("Top (+Y)")
     grid.plotter.render()
     assert list(grid.viewports) == ["p0"]
 
 
 def test_linking_takes_the_leaders_view(grid):
-    grid.show(panes(0), Look(BALL.faces), SIZE)
+    grid.show(panes(0), Look(BALL.topology), SIZE)
     grid.look_from("Oblique")
     before = grid.poses()[0]
     grid.link(False)
@@ -94,5 +94,5 @@ def test_a_caption_takes_a_second_line_before_its_letters_shrink():
 def test_the_noisy_caption_keeps_its_size_beside_the_colour_bar(grid):
     caption = "σ = 0.02 ℓ̄   D = 0.000609"
     shown = [Pane(f"p{i}", "Noisy input", caption, "#009e73", POINTS) for i in range(8)]
-    grid.show(shown, Look(BALL.faces, colour_title="Distance"), (720, 440))
+    grid.show(shown, Look(BALL.topology, colour_title="Distance"), (720, 440))
     assert {slot.caption._caption.prop.font_size for slot in grid._slots[:8]} == {12}

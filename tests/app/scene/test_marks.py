@@ -5,7 +5,7 @@ import pytest
 
 from app.scene.camera import CameraPose
 from app.scene.marks import Marks, close_up
-from app.scene.panes import Look, Pane
+from app.scene.panes import NO_FACES, Look, Pane
 from core.mesh import primitives
 
 FAR = CameraPose((0.0, 0.0, 10.0), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0))
@@ -13,8 +13,7 @@ FAR = CameraPose((0.0, 0.0, 10.0), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0))
 
 def shown(points, marks):
     dots = Marks()
-    faces = np.zeros((0, 3), np.int32)
-    dots.show(Pane("original", "", "", "#000000", points), Look(faces, marks=marks))
+    dots.show(Pane("original", "", "", "#000000", points), Look(NO_FACES, marks=marks))
     return dots.actor
 
 

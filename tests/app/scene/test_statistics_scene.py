@@ -34,7 +34,7 @@ def drawn(scene):
 
 def test_without_a_model_there_is_the_ground_alone(scene):
     assert drawn(scene) == {(255, 0, 0)}
-    look = Look(BALL.mesh.faces, LIGHT)
+    look = Look(BALL.mesh.topology, LIGHT)
     scene.show(PaneMaker().panes([BALL]), look, SIZE)
     assert len(drawn(scene)) > 10
     scene.show([], look, SIZE)
@@ -44,7 +44,7 @@ def test_without_a_model_there_is_the_ground_alone(scene):
 
 @pytest.mark.parametrize("count", [1, 2])
 def test_models_lie_side_by_side(scene, count):
-    scene.show(PaneMaker().panes([BALL] * count), Look(BALL.mesh.faces, LIGHT), SIZE)
+    scene.show(PaneMaker().panes([BALL] * count), Look(BALL.mesh.topology, LIGHT), SIZE)
     assert [scene.model_at(x, 0.5) for x in (0.25, 0.75)] == [0, count - 1]
     assert np.isclose(sum(port.right - port.left for port in scene.viewports), 1)
 
