@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from core.arrays import FloatArray
 
@@ -20,9 +21,9 @@ class SteadyBox:
     def __init__(self) -> None:
         self._low, self._high = np.zeros(3), np.zeros(3)
 
-    def around(self, boxes: Sequence[Sequence[float]]) -> FloatArray:
+    def around(self, boxes: Sequence[ArrayLike]) -> FloatArray:
         """Return a box around others; each is x, y, z from their least to their largest."""
-        ends = np.reshape(boxes, (-1, 3, 2))
+        ends = np.asarray(boxes).reshape(-1, 3, 2)
         low, high = ends[..., 0].min(axis=0), ends[..., 1].max(axis=0)
         size = float((high - low).max())
         outside = (low < self._low).any() or (high > self._high).any()

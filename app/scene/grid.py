@@ -173,7 +173,7 @@ class PaneGrid:
         shown = self._slots[: len(self._panes)]
         if not shown:
             return
-        box = self._box.around([slot.surface.actor.GetBounds() for slot in shown])
+        box = self._box.around([slot.box for slot in shown])
         for renderer in self._renderers:
             renderer.ResetCameraClippingRange(box)
         self._swiped.cut(self._narrowest)

@@ -88,8 +88,8 @@ class StatisticsScene:
         self._bar.show(look, table)
         for place, shown in enumerate(self._panes):
             look_here = replace(look, topology=shown.topology)
-            parts = self._parts_of(place, shown.topology)
-            self._surfaces[place].show(shown.pane, look_here, parts, table)
+            self._surfaces[place].use(self._parts_of(place, shown.topology))
+            self._surfaces[place].show(shown.pane, look_here, table)
             width, height = self.viewports[place].pixels(*size)[2:]
             self._captions[place].show(shown.pane, look_here, height, width=width)
             self._lights[place].set_look(look)

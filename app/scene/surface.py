@@ -45,10 +45,13 @@ class SurfaceActor:
         """Actors of the parts, which together are the mesh."""
         return [part.actor for part in self._drawn]
 
-    def show(self, pane: Pane, look: Look, parts: tuple[Part, ...], table: pv.LookupTable) -> None:
-        """Draw a pane's mesh, which has these parts."""
+    def use(self, parts: tuple[Part, ...]) -> None:
+        """Draw a mesh that has these parts."""
         if self._parts is not parts:
             self._begin(parts)
+
+    def show(self, pane: Pane, look: Look, table: pv.LookupTable) -> None:
+        """Draw a pane's mesh, which has the parts in use."""
         if self._shown[0] is not pane.points or self._shown[1] != look.smooth:
             self._move(pane.points, look)
             self._shown = (pane.points, look.smooth)

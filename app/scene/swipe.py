@@ -75,7 +75,8 @@ class SwipeLayer:
             self.hide()
             self._attach(renderer, left)
         self._share = swipe.share
-        self.surface.show(pane, look, parts, table)
+        self.surface.use(parts)
+        self.surface.show(pane, look, table)
         self._caption.show(pane, look, size[1], right=size[0], width=size[0] / 2)
         self._line.show(swipe.share, look)
         self.cut(size[0] / max(size[1], 1))

@@ -247,7 +247,7 @@ class StatisticsTab(QWidget):
         """Measure from a vertex, and show it where the model has no other colours."""
         # What was clicked may have been drawn before the models changed, or flicker in its place.
         meshes = [one.mesh for one in self.work.models]
-        if model >= len(meshes) or self.view.shown[model].faces is not meshes[model].faces:
+        if model >= len(meshes) or self.view.shown[model].topology is not meshes[model].topology:
             return
         self.work.pick(model, vertex)
         if self.side.colour.currentData() == "none":
