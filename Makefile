@@ -26,9 +26,10 @@ check:
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 
+# Open3D brings dash, whose plugin for pytest does not go with ours.
 bench:
 	@sh .ci/setup test
-	$(BIN)/pytest tests/benchmarks --benchmark-only --benchmark-disable-gc --override-ini addopts=--import-mode=importlib
+	$(BIN)/pytest tests/benchmarks -p no:dash --benchmark-only --benchmark-disable-gc --override-ini addopts=--import-mode=importlib
 
 monkey:
 	@sh .ci/setup test

@@ -3,14 +3,19 @@
 They come with the extra ``bench`` (``pip install .[bench]``); each is skipped where it is missing.
 """
 
+from importlib import import_module
+
 import numpy as np
 import pytest
 
-_REASON = "{} is not installed; it comes with the extra bench"
-
 
 def peer(name):
-    return pytest.importorskip(name, reason=_REASON.format(name), exc_type=ImportError)
+    try:
+        return import_module(name)
+    except ModuleNotFoundError:
+        pytest.skip(f"{name} is not installed; it comes with the extra bench")
+    except ImportError as error:
+        pytest.skip(f"{name} does not work here: {error}")
 
 
 @pytest.fixture

@@ -23,16 +23,20 @@ def meshes(original):
     return {"small": original, "large": midpoint_subdivision(midpoint_subdivision(original))}
 
 
+def set_up(mesh):
+    topology = TriangleMesh(mesh.vertices, mesh.faces).topology
+    along = topology.along_surface
+    return along.face_ring, along.edge_corners, along.ring_edges, topology.genus
+
+
 @pytest.mark.parametrize("size", ["small", "large"])
 def test_set_up_along_the_surface(benchmark, ruler, meshes, size):
     mesh = meshes[size]
-
-    def set_up():
-        topology = TriangleMesh(mesh.vertices, mesh.faces).topology
-        along = topology.along_surface
-        return along.face_ring, along.edge_corners, along.ring_edges, topology.genus
-
-    replace(ruler, mesh=mesh, units=[]).measure(benchmark, set_up, _ROUNDS)
+    ruler = replace(ruler, mesh=mesh, units=[])
+    ruler.measure(benchmark, lambda: set_up(mesh), _ROUNDS)
+    ruler.compare(
+        benchmark, "small mesh", lambda: set_up(mesh), lambda: set_up(meshes["small"]), _ROUNDS
+    )
 
 
 @pytest.mark.parametrize("suffix", [".ply", ".stl", ".obj"])

@@ -5,6 +5,7 @@ paint, with software OpenGL where there is no other; the plot is matplotlib's dr
 ours and has to stay below 50 ms.
 """
 
+import gc
 import os
 import subprocess
 import sys
@@ -146,7 +147,9 @@ def window(qtbot, tmp_path, watch):
     window = MainWindow()
     window.resize(1600, 950)
     window.show()
+    gc.freeze()  # as the program does
     yield window
+    gc.unfreeze()
     window.files.discard_changes()
     window.close()
     window.deleteLater()
