@@ -7,7 +7,7 @@ import numpy as np
 import pyvista as pv
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from app.scene.camera import CameraPose, preset_pose
+from app.scene.camera import CameraPose, distance_to, preset_pose
 from app.scene.clipping import SteadyBox
 from app.scene.colour_bar import ColourBar
 from app.scene.due import Seen
@@ -208,7 +208,7 @@ class PaneGrid:
         ports = tile(len(shown), width / max(height, 1), right)
         self.viewports = dict(zip(shown, ports, strict=True))
         sides = [port.pixels(width, max(height, 1))[2:] for port in ports]
-        self._narrowest = min((wide / max(high, 1) for wide, high in sides), default=1.0)
+        self._keep_fitting(min((wide / max(high, 1) for wide, high in sides), default=1.0))
         places = [self.viewports.get(id_, _NOWHERE) for id_ in self.ids]
         places += [_NOWHERE] * (CAPACITY - len(places))
         bar_place = Viewport(right, 0.0, 1.0, 1.0) if bar else _NOWHERE
@@ -217,6 +217,13 @@ class PaneGrid:
             renderer.SetViewport(place)
             renderer.SetDraw(place != _NOWHERE)
         self._bar_renderer.InteractiveOff()
+
+    def _keep_fitting(self, narrowest: float) -> None:
+        """Step back where panes have become narrower, closer where they are wider again."""
+        before, after = (distance_to(1.0, aspect) for aspect in (self._narrowest, narrowest))
+        self._narrowest = narrowest
+        for renderer in self._renderers[: 1 if self._linked else CAPACITY]:
+            renderer.GetActiveCamera().Dolly(before / after)
 
     def _show_bar(self, look: Look, table: pv.LookupTable) -> None:
         histogram = None if look.histogram is None else tuple(look.histogram.tolist())

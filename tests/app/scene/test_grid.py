@@ -96,3 +96,47 @@ def test_the_noisy_caption_keeps_its_size_beside_the_colour_bar(grid):
     shown = [Pane(f"p{i}", "Noisy input", caption, "#009e73", POINTS) for i in range(8)]
     grid.show(shown, Look(BALL.topology, colour_title="Distance"), (720, 440))
     assert {slot.caption._caption.prop.font_size for slot in grid._slots[:8]} == {12}
+
+
+def widest(grid, pane):
+    """Largest |x| of a pane's points in its view, where 1 is at the edge."""
+    grid.plotter.render()
+    renderer = grid.renderer(pane)
+
+    def x_of(point):
+        renderer.SetWorldPoint(*map(float, point), 1.0)
+        renderer.WorldToView()
+        return abs(renderer.GetViewPoint()[0])
+
+    return max(map(x_of, grid.panes[grid.ids.index(pane)].points))
+
+
+@pytest.mark.parametrize("linked", [True, False])
+def test_models_stay_in_view_where_panes_become_narrower(grid, linked):
+    one, look = panes(0, 1), Look(BALL.topology)
+    grid.show(one, look, SIZE)
+    grid.look_from("Front (+Z)")
+    grid.link(linked)
+    before = grid.poses()
+    assert 0.7 < widest(grid, "p0") < 0.8
+    grid.plotter.render_window.SetSize(300, 300)
+    grid.show(one, Look(BALL.topology, colour_title="Error"), (300, 300))
+    assert 0.9 < widest(grid, "p0") < 1.05
+    grid.plotter.render_window.SetSize(*SIZE)
+    grid.show(one, look, SIZE)
+    for pose, now in zip(before, grid.poses(), strict=True):
+        assert now.position == pytest.approx(pose.position)
+
+
+def test_an_enlarged_model_fills_its_pane_and_is_as_before_afterwards(grid):
+    five, look = panes(0, 5), Look(BALL.topology)
+    grid.show(five, look, SIZE)
+    grid.look_from("Front (+Z)")
+    before = grid.poses()
+    for enlarged in ("p1", None):
+        grid.enlarged = enlarged
+        grid.show(five, look, SIZE)
+        if enlarged:
+            assert 0.7 < widest(grid, enlarged) < 0.8
+    for pose, now in zip(before, grid.poses(), strict=True):
+        assert now.position == pytest.approx(pose.position)
