@@ -8,7 +8,8 @@ from psygnal import Signal
 
 from app.session.jobs import Job, Jobs
 from app.session.meshes import Meshes
-from app.session.runs import Kept, Run, RunKey, RunStore, kept_iterations
+from app.session.run_source import Kept, kept_iterations
+from app.session.runs import Run, RunKey, RunStore
 from core.smoothing import METHODS, DivergenceError
 from core.study import MethodChoice, Study
 

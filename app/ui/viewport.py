@@ -24,7 +24,7 @@ class Viewport(QWidget):
     Parameters
     ----------
     turns : Turns
-        In which it draws: one pane a turn.
+        In which it draws: a part of a pane a turn.
 
     Attributes
     ----------
@@ -165,7 +165,7 @@ class Viewport(QWidget):
         return True
 
     def _draw(self) -> Iterator[None]:
-        """Draw what is due a pane a turn, then show all of it at once.
+        """Draw what is due a part a turn, then show all of it at once.
 
         Until then the picture stays as it is, so that panes never contradict each other. Whatever
         else paints meanwhile, a camera that moves or another size, draws what is left at once.

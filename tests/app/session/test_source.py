@@ -2,7 +2,29 @@
 
 from types import SimpleNamespace
 
-from app.session.runs import Source
+import numpy as np
+
+from app.session.run_source import Source, kept_iterations
+from core import smooth
+from core.comparison import Comparison
+from core.mesh import TriangleMesh, primitives
+from core.noise import add_noise
+from core.study import MethodChoice
+
+
+def test_what_is_kept_has_the_order_of_the_file():
+    ball = primitives.sphere(6)
+    order = np.random.default_rng(1).permutation(len(ball.vertices))
+    mesh = TriangleMesh(ball.vertices[order] + 100, np.argsort(order)[ball.faces])
+    assert mesh.topology.ordering.vertices.order is not None
+    noisy, choice = add_noise(mesh), MethodChoice(method="laplacian", iterations=2)
+    iterations = filter(None, kept_iterations(Comparison(mesh, noisy), choice, lambda: 2))
+    for number in (1, 2):
+        kept = next(iterations)
+        expected = smooth(noisy, "laplacian", number).vertices - mesh.vertices.mean(axis=0)
+        assert kept.iteration == number
+        assert kept.position.dtype == np.float32
+        assert np.allclose(kept.position, expected, rtol=0, atol=1e-6)
 
 
 def test_what_was_left_within_an_iteration_goes_on_there():
