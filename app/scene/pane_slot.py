@@ -67,6 +67,7 @@ class PaneSlot:
 
     def _prepare(self, *_: object) -> None:
         if self._content is None or not self._is_stale:
+            self.surface.prepare()
             return
         self._is_stale = False
         pane, look, table, size = self._content

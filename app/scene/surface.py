@@ -51,7 +51,10 @@ class SurfaceActor:
             self._begin(parts)
 
     def show(self, pane: Pane, look: Look, table: pv.LookupTable) -> None:
-        """Draw a pane's mesh, which has the parts in use."""
+        """Draw a pane's mesh, which has the parts in use.
+
+        Parts that are hidden at the moment are made ready by :meth:`prepare` once they are not.
+        """
         if self._shown[0] is not pane.points or self._shown[1] != look.smooth:
             self._move(pane.points, look)
             self._shown = (pane.points, look.smooth)
@@ -59,6 +62,13 @@ class SurfaceActor:
         for part in self._drawn:
             part.colour(values, look, table)
         self._style(look)
+        self.prepare()
+
+    def prepare(self) -> None:
+        """Make the parts ready that are to be drawn; the others take their time later."""
+        for part in self._drawn:
+            if part.actor.GetVisibility():
+                part.prepare()
 
     def cut(self, plane: vtkPlane | None) -> None:
         """Draw only what is on the inner side of a plane; None: all."""
@@ -103,6 +113,7 @@ class _DrawnPart:
         count = len(part.vertices)
         self._points, self._normals = LiveArray((count, 3), "points"), LiveArray((count, 3), "n")
         self._values = LiveArray((0,), "error")
+        self._wanted: tuple[Points, NDArray[np.float64] | None] | None = None
         points = vtkPoints()
         points.SetData(self._points.vtk)
         self._mesh = vtkPolyData()
@@ -117,6 +128,13 @@ class _DrawnPart:
 
     def move(self, points: Points, normals: NDArray[np.float64] | None) -> None:
         """Take positions, and normals of smooth shading, from those of the whole mesh."""
+        self._wanted = points, normals
+
+    def prepare(self) -> None:
+        """Copy what was taken."""
+        if self._wanted is None:
+            return
+        (points, normals), self._wanted = self._wanted, None
         self._points.write(points[self._part.vertices])
         self._mesh.GetPoints().Modified()
         data = self._mesh.GetPointData()
